@@ -1,0 +1,35 @@
+// vesper-catalog: star catalogues in, GPU buffers out.
+
+#include "catalog/commands.hpp"
+#include "common/program.hpp"
+
+#include "vesper/base/error.hpp"
+
+#include <CLI/App.hpp>
+
+#include <csignal>
+
+int main(int argc, char** argv) {
+  // A file that grows past the limit of the process must be an error message, not the end of the program with a
+  // temporary file left behind.
+  std::signal(SIGXFSZ, SIG_IGN);
+
+  CLI::App app("Turns star catalogues into star buffers, and reads these back", "vesper-catalog");
+  vesper::prepare_program(app);
+  app.require_subcommand(0, 1);
+  const auto stars = vesper::add_stars_command(app);
+  const auto info = vesper::add_info_command(app);
+  const auto check = vesper::add_check_command(app);
+  return vesper::run_program(argc, argv, app, [&] {
+    if (app.got_subcommand("stars")) {
+      stars();
+    } else if (app.got_subcommand("info")) {
+      info();
+    } else if (app.got_subcommand("check")) {
+      check();
+    } else {
+      throw vesper::Error(vesper::ErrorKind::argument, "no subcommand is given",
+                          {"", "", "Allowed are stars, info and check; see vesper-catalog --help"});
+    }
+  });
+}

@@ -1,0 +1,247 @@
+#include "common/scene_option_table.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace vesper {
+namespace {
+
+template <class Number> std::optional<Number> parse_number(std::string_view text) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
+    text.remove_prefix(1);
+  }
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    return std::nullopt;
+  }
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (!std::isfinite(value)) {
+      return std::nullopt;
+    }
+  }
+  return value;
+}
+
+/// The number, if it is one and lies in [lowest, highest].
+std::optional<double> number_within(std::string_view text, double lowest, double highest) {
+  const std::optional<double> value = parse_number<double>(text);
+  return value && *value >= lowest && *value <= highest ? value : std::nullopt;
+}
+
+std::string join(std::span<const std::string_view> names) { return fmt::format("{}", fmt::join(names, ", ")); }
+
+std::string apply_time_scale(std::string_view text, SceneOptions& scene) {
+  if (text == "utc") {
+    scene.time_scale = TimeScale::utc;
+  } else if (text == "ut1") {
+    scene.time_scale = TimeScale::ut1;
+  } else if (text == "tt") {
+    scene.time_scale = TimeScale::tt;
+  } else {
+    return "utc, ut1, tt";
+  }
+  return "";
+}
+
+std::string apply_time(std::string_view text, SceneOptions& scene) {
+  scene.instant = parse_instant(text, scene.time_scale);
+  return "";
+}
+
+std::string apply_latitude(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -90.0, 90.0);
+  if (!value) {
+    return "-90 to 90 degrees";
+  }
+  scene.observer.latitude = *value * deg;
+  scene.latitude_given = true;
+  return "";
+}
+
+std::string apply_longitude(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -180.0, 360.0);
+  if (!value) {
+    return "-180 to 360 degrees, east positive";
+  }
+  scene.observer.longitude = *value * deg;
+  scene.longitude_given = true;
+  return "";
+}
+
+std::string apply_height(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -500.0, 100000.0);
+  if (!value) {
+    return "-500 to 100000 metres above the ellipsoid";
+  }
+  scene.observer.height = *value * metre;
+  scene.height_given = true;
+  return "";
+}
+
+std::string apply_projection(std::string_view text, SceneOptions& scene) {
+  const auto projection = projection_from_name(text);
+  if (!projection) {
+    return join(projection_names());
+  }
+  scene.view.projection = *projection;
+  return "";
+}
+
+std::string apply_azimuth(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -360.0, 360.0);
+  if (!value) {
+    return "-360 to 360 degrees, north through east";
+  }
+  scene.view.azimuth = *value * deg;
+  return "";
+}
+
+std::string apply_altitude(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -90.0, 90.0);
+  if (!value) {
+    return "-90 to 90 degrees";
+  }
+  scene.view.altitude = *value * deg;
+  return "";
+}
+
+std::string apply_roll(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -360.0, 360.0);
+  if (!value) {
+    return "-360 to 360 degrees, positive clockwise";
+  }
+  scene.view.roll = *value * deg;
+  return "";
+}
+
+std::string apply_fov(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, 0.0, 360.0);
+  switch (scene.view.projection) {
+  case Projection::perspective:
+    if (!value || *value <= 0.0 || *value >= 170.0) {
+      return "perspective takes 0 < fov < 170 degrees";
+    }
+    break;
+  case Projection::stereographic:
+    if (!value || *value <= 0.0 || *value >= 350.0) {
+      return "stereographic takes 0 < fov < 350 degrees";
+    }
+    break;
+  default:
+    if (!value || *value <= 0.0) {
+      return fmt::format("{} takes 0 < fov <= 360 degrees",
+                         projection_names()[static_cast<std::size_t>(scene.view.projection)]);
+    }
+  }
+  scene.view.fov = *value * deg;
+  return "";
+}
+
+constexpr int largest_side = 16384; // pixels
+
+std::string apply_size(std::string_view text, SceneOptions& scene) {
+  const std::size_t cross = text.find('x');
+  const auto width = parse_number<int>(text.substr(0, cross));
+  const auto height = cross == std::string_view::npos ? std::nullopt : parse_number<int>(text.substr(cross + 1));
+  const bool cube = scene.view.projection == Projection::cubemap;
+  // A square cube map is the size of a face: six of them are stacked.
+  const auto stacked = cube && width && height && *width == *height ? height.value() * 6LL : height.value_or(0);
+  const bool in_range = width && height && *width >= 1 && *width <= largest_side && *height >= 1 &&
+                        (cube || *height <= largest_side) && stacked <= 6LL * largest_side;
+  if (!in_range || (cube && stacked != 6LL * *width)) {
+    return cube ? fmt::format("cubemap takes WxW, the size of a face, or Wx6W, with W from 1 to {}", largest_side)
+                : fmt::format("WIDTHxHEIGHT, each 1 to {} pixels", largest_side);
+  }
+  scene.view.width = *width;
+  scene.view.height = static_cast<int>(stacked);
+  return "";
+}
+
+std::string apply_tier(std::string_view text, SceneOptions& scene) {
+  if (text == "cheap") {
+    scene.tier = Tier::cheap;
+  } else if (text == "default") {
+    scene.tier = Tier::standard;
+  } else if (text == "reference") {
+    scene.tier = Tier::reference;
+  } else {
+    return "cheap, default, reference";
+  }
+  return "";
+}
+
+std::string apply_layers(std::string_view text, SceneOptions& scene) {
+  LayerSet layers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto layer = layer_from_name(text.substr(begin, end - begin));
+    if (!layer) {
+      return "a comma-separated list of " + join(layer_names());
+    }
+    layers.set(static_cast<std::size_t>(*layer));
+    begin = end + 1;
+  }
+  scene.layers = layers;
+  return "";
+}
+
+std::string apply_seed(std::string_view text, SceneOptions& scene) {
+  const auto value = parse_number<std::uint64_t>(text);
+  if (!value) {
+    return "an integer from 0 to 18446744073709551615";
+  }
+  scene.seed = *value;
+  return "";
+}
+
+using Kind = SceneValueKind;
+constexpr std::string_view place = "Time and place";
+constexpr std::string_view view = "View";
+constexpr std::string_view model = "Model";
+
+// Options that others depend on stand before them.
+constexpr std::array table{
+    SceneOptionDescription{"time-scale", Kind::text, "SCALE", place,
+                           "Scale of a time stamp: utc, ut1 or tt; default utc", apply_time_scale},
+    SceneOptionDescription{"time", Kind::time, "STAMP", place, "2026-08-12T22:00:00Z, JD2461265.4 or now; default now",
+                           apply_time},
+    SceneOptionDescription{"latitude", Kind::number, "DEG", place,
+                           "Geodetic latitude, -90 to 90; default Greenwich, 51.4769", apply_latitude},
+    SceneOptionDescription{"longitude", Kind::number, "DEG", place,
+                           "Longitude, east positive, -180 to 360; default Greenwich, 0", apply_longitude},
+    SceneOptionDescription{"height", Kind::number, "M", place,
+                           "Height above the ellipsoid, -500 to 100000; default 0, at Greenwich 47", apply_height},
+    SceneOptionDescription{"projection", Kind::text, "NAME", view,
+                           "perspective, fisheye, stereographic, equirectangular or cubemap; default fisheye",
+                           apply_projection},
+    SceneOptionDescription{"azimuth", Kind::number, "DEG", view,
+                           "Azimuth of the view, north 0, east 90, -360 to 360; default 180", apply_azimuth},
+    SceneOptionDescription{"altitude", Kind::number, "DEG", view,
+                           "Altitude of the view, -90 to 90; default 90, the zenith", apply_altitude},
+    SceneOptionDescription{"roll", Kind::number, "DEG", view, "Turns the picture clockwise, -360 to 360; default 0",
+                           apply_roll},
+    SceneOptionDescription{"fov", Kind::number, "DEG", view,
+                           "Full angle across the shorter side: perspective below 170 (default 60), fisheye to 360, "
+                           "stereographic below 350 (default 180)",
+                           apply_fov},
+    SceneOptionDescription{"size", Kind::text, "WxH", view,
+                           "Pixels, each side 1 to 16384; default 1024x1024. For a cube map the size of a face",
+                           apply_size},
+    SceneOptionDescription{"tier", Kind::text, "NAME", model, "cheap, default or reference; default default",
+                           apply_tier},
+    SceneOptionDescription{"layers", Kind::list, "LIST", model,
+                           "What to draw, comma-separated: stars, ground; default all", apply_layers},
+    SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
+                           apply_seed},
+};
+
+} // namespace
+
+std::span<const SceneOptionDescription> scene_option_table() { return table; }
+
+} // namespace vesper

@@ -1,0 +1,32 @@
+// Each scene option described once: name, help, type, range and meaning.
+#pragma once
+
+#include "common/scene_options.hpp"
+
+#include <span>
+
+namespace vesper {
+
+/// What a scene file may hold for an option.
+enum class SceneValueKind {
+  text,
+  time,    ///< text or a TOML date-time
+  number,  ///< integer or float
+  integer, ///< integer
+  list,    ///< comma-separated text or an array of text
+};
+
+struct SceneOptionDescription {
+  std::string_view name; ///< without dashes
+  SceneValueKind kind;
+  std::string_view value_name; ///< shown by --help
+  std::string_view group;      ///< heading in --help
+  std::string_view help;
+  /// Sets the option in `scene`, in which all options before this one in the table are set already.
+  /// \return what is allowed, when `text` is not; else "". Where more is to be said, it throws Error(argument)
+  std::string (*apply)(std::string_view text, SceneOptions& scene);
+};
+
+[[nodiscard]] std::span<const SceneOptionDescription> scene_option_table();
+
+} // namespace vesper

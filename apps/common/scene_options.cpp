@@ -1,0 +1,126 @@
+#include "common/scene_options.hpp"
+
+#include "common/scene_option_table.hpp"
+
+#include "vesper/base/error.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace vesper {
+namespace {
+
+// The Royal Observatory: the place when none is given.
+constexpr double greenwich_latitude_deg = 51.4769;
+constexpr double greenwich_longitude_deg = 0.0;
+constexpr double greenwich_height_m = 47.0;
+
+// Twice the field of a fast lens: wide enough for a constellation with its neighbours. The default of the other
+// projections, 180 degrees, is beyond what a perspective can show.
+constexpr double perspective_fov_deg = 60.0;
+
+void overwrite(GivenOptions& target, const GivenOptions& source) {
+  for (const auto& [name, value] : source) {
+    target[name] = value;
+  }
+}
+
+void assume_missing_place(SceneOptions& scene) {
+  const bool any = scene.latitude_given || scene.longitude_given;
+  if (!scene.latitude_given) {
+    scene.observer.latitude = greenwich_latitude_deg * deg;
+  }
+  if (!scene.longitude_given) {
+    scene.observer.longitude = greenwich_longitude_deg * deg;
+  }
+  if (!scene.height_given && !any) {
+    scene.observer.height = greenwich_height_m * metre;
+  }
+}
+
+void apply(const SceneOptionDescription& described, const GivenOption& option, SceneOptions& scene) {
+  std::string allowed;
+  try {
+    allowed = described.apply(option.text, scene);
+  } catch (const Error& e) {
+    throw Error(ErrorKind::argument, option.label + ": " + e.message(),
+                {option.file, option.place, e.context().remedy});
+  }
+  if (!allowed.empty()) {
+    throw Error(ErrorKind::argument,
+                fmt::format("{}: '{}' is not allowed; allowed: {}", option.label, option.text, allowed),
+                {option.file, option.place, ""});
+  }
+}
+
+void say_assumptions(const SceneOptions& scene) {
+  if (!scene.latitude_given && !scene.longitude_given) {
+    spdlog::info("no place given: taking Greenwich (51.4769, 0.0, 47 m)");
+  } else if (!scene.latitude_given || !scene.longitude_given) {
+    spdlog::info("no {} given: taking that of Greenwich", scene.latitude_given ? "longitude" : "latitude");
+  }
+  if (!scene.instant.note.empty()) {
+    spdlog::info("{}", scene.instant.note);
+  }
+}
+
+} // namespace
+
+SceneOptionSet::SceneOptionSet(CLI::App& app) {
+  scene_option_ = app.add_option("--scene", scene_file_, "TOML file of scene options: keys as here, without dashes")
+                      ->type_name("FILE")
+                      ->group("Scene");
+  for (const SceneOptionDescription& described : scene_option_table()) {
+    std::string& value = values_.emplace_back();
+    const CLI::Option* option = app.add_option("--" + std::string(described.name), value, std::string(described.help))
+                                    ->type_name(std::string(described.value_name))
+                                    ->group(std::string(described.group));
+    bound_.push_back({described.name, option});
+  }
+}
+
+SceneOptions SceneOptionSet::resolve(Assumptions assumptions) const {
+  GivenOptions given;
+  std::error_code ignored;
+  if (const auto settings = user_settings_path(); std::filesystem::exists(settings, ignored)) {
+    overwrite(given, read_scene_file(settings));
+  }
+  if (scene_option_->count() > 0) {
+    overwrite(given, read_scene_file(scene_file_));
+  }
+  for (std::size_t i = 0; i < bound_.size(); ++i) {
+    if (bound_[i].option->count() > 0) {
+      const std::string name(bound_[i].name);
+      given[name] = {values_[i], "--" + name, "", ""};
+    }
+  }
+  SceneOptions scene = scene_from(given);
+  if (assumptions == Assumptions::said) {
+    say_assumptions(scene);
+  }
+  return scene;
+}
+
+SceneOptions scene_from(const GivenOptions& given) {
+  SceneOptions scene;
+  for (const SceneOptionDescription& described : scene_option_table()) {
+    const auto found = given.find(described.name);
+    if (found == given.end()) {
+      continue;
+    }
+    apply(described, found->second, scene);
+  }
+  if (!given.contains("time")) {
+    scene.instant = parse_instant("now", scene.time_scale);
+  }
+  if (!given.contains("fov") && scene.view.projection == Projection::perspective) {
+    scene.view.fov = perspective_fov_deg * deg;
+  }
+  if (!given.contains("size") && scene.view.projection == Projection::cubemap) {
+    scene.view.height = 6 * scene.view.width;
+  }
+  assume_missing_place(scene);
+  return scene;
+}
+
+} // namespace vesper

@@ -1,0 +1,81 @@
+// The scene options that all programs share, from the command line, a scene file and the user's settings.
+#pragma once
+
+#include "vesper/astro/observer.hpp"
+#include "vesper/astro/star_frame.hpp"
+#include "vesper/astro/time.hpp"
+#include "vesper/plan/layers.hpp"
+#include "vesper/plan/view.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace vesper {
+
+/// What a scene is: when, where, looking at what, modelled how.
+struct SceneOptions {
+  Instant instant;
+  TimeScale time_scale = TimeScale::utc; ///< of stamps without a scale of their own
+  Observer observer;
+  bool latitude_given = false;
+  bool longitude_given = false;
+  bool height_given = false;
+  View view;
+  Tier tier = Tier::standard;
+  LayerSet layers = all_layers();
+  std::uint64_t seed = 0; ///< of everything random
+};
+
+/// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.
+struct GivenOption {
+  std::string text;
+  std::string label; ///< "--fov" or "key 'fov'"
+  std::string file;  ///< of a key
+  std::string place; ///< "line 3" of a key
+};
+using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
+
+enum class Assumptions { said, silent };
+
+/// The scene options of one program.
+class SceneOptionSet {
+public:
+  /// Adds the options to `app`, which must outlive this object.
+  explicit SceneOptionSet(CLI::App& app);
+
+  /// The scene after parsing: command line, then --scene FILE, then the user's settings, then defaults. Throws
+  /// Error(argument) naming the option or key, its value and the allowed range; for files also the path and line.
+  /// \param assumptions whether to say on standard error that a place or the time scale had to be assumed
+  [[nodiscard]] SceneOptions resolve(Assumptions assumptions = Assumptions::said) const;
+
+private:
+  struct Bound {
+    std::string_view name;
+    const CLI::Option* option;
+  };
+  std::deque<std::string> values_; ///< what CLI11 writes to: must not move
+  std::deque<Bound> bound_;
+  std::string scene_file_;
+  const CLI::Option* scene_option_ = nullptr;
+};
+
+/// Turns merged values into a scene: each option's own range and the ranges that depend on the projection.
+/// Throws Error(argument).
+[[nodiscard]] SceneOptions scene_from(const GivenOptions& given);
+
+/// Reads a flat TOML file whose keys are option names without dashes. Throws Error(argument) with the file and line for
+/// malformed TOML, an unknown key or a value of the wrong type, and when the file cannot be read.
+[[nodiscard]] GivenOptions read_scene_file(const std::filesystem::path& path);
+
+/// $XDG_CONFIG_HOME/vesper/settings.toml, or the same under ~/.config; empty when neither variable is set.
+[[nodiscard]] std::filesystem::path user_settings_path();
+
+} // namespace vesper

@@ -1,0 +1,143 @@
+// vesper-render: one picture of the sky, without a window.
+#include "common/program.hpp"
+#include "common/scene_options.hpp"
+
+#include "vesper/assets/default_stars.hpp"
+#include "vesper/assets/image_file.hpp"
+#include "vesper/assets/star_glb.hpp"
+#include "vesper/base/error.hpp"
+#include "vesper/base/files.hpp"
+#include "vesper/gpu/headless_context.hpp"
+#include "vesper/gpu/renderer.hpp"
+#include "vesper/plan/frame_plan.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <optional>
+#include <spdlog/spdlog.h>
+
+namespace {
+
+using namespace vesper;
+
+struct RenderOptions {
+  std::string output;
+  std::string catalogue;
+  std::string shader_dir;
+  std::string scintillation = "on";
+  std::string extinction = "on";
+  double exposure_time_s = AirOptions{}.exposure_s;
+  double exposure_stops = 0.0;
+  bool timings = false;
+};
+
+enum class OutputKind { png, exr };
+
+OutputKind output_kind(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  if (extension == ".png") {
+    return OutputKind::png;
+  }
+  if (extension == ".exr") {
+    return OutputKind::exr;
+  }
+  throw Error(ErrorKind::argument, fmt::format("--output {} names no picture format", path),
+              {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
+}
+
+ImageMetadata describe(const SceneOptions& scene) {
+  const View& view = scene.view;
+  return {{"vesper:time", to_iso8601(scene.instant)},
+          {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
+                                       scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
+          {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
+                                      projection_names()[static_cast<std::size_t>(view.projection)],
+                                      view.azimuth.to(deg), view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
+          {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
+}
+
+void print_timings(const std::vector<gpu::PassTiming>& timings) {
+  std::string text;
+  for (const gpu::PassTiming& timing : timings) {
+    text += fmt::format("{:<10} {:10.3f} ms\n", timing.name, timing.milliseconds);
+  }
+  write_standard_output(text);
+}
+
+void render(const SceneOptions& scene, const RenderOptions& options) {
+  const OutputKind kind = output_kind(options.output);
+  require_writable(options.output);
+  std::optional<StarCatalogue> own;
+  if (!options.catalogue.empty()) {
+    own = read_star_glb(options.catalogue);
+  }
+  const StarCatalogue& catalogue = own ? *own : default_star_catalogue();
+
+  FrameOptions frame_options;
+  frame_options.layers = scene.layers;
+  frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
+  frame_options.air.extinction = options.extinction == "on";
+  frame_options.air.scintillation = options.scintillation == "on";
+  frame_options.air.exposure_s = options.exposure_time_s;
+
+  const SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  const FramePlan plan = plan_frame(sky, scene.view, catalogue.stars, frame_options);
+
+  const gpu::HeadlessContext context;
+  spdlog::debug("drawing with {}", context.description());
+  const gpu::ShaderLibrary shaders =
+      options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
+  gpu::Renderer renderer(shaders);
+  renderer.load(catalogue);
+  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(scene.view) * std::exp2(-options.exposure_stops));
+  gpu::RenderOutputs outputs;
+  outputs.xyzs = kind == OutputKind::exr;
+  outputs.mapping = kind == OutputKind::png ? &exposure : nullptr;
+  outputs.timings = options.timings;
+  if (options.timings) {
+    // The first frame pays for compiling programs and says nothing about a sequence.
+    static_cast<void>(renderer.render(sky, scene.view, plan, outputs));
+  }
+  gpu::Frame frame = renderer.render(sky, scene.view, plan, outputs);
+
+  const auto start = std::chrono::steady_clock::now();
+  if (kind == OutputKind::png) {
+    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene));
+  } else {
+    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene));
+  }
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  frame.timings.push_back({"write", elapsed.count()});
+  if (options.timings) {
+    print_timings(frame.timings);
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Renders the real sky to a PNG (for a display) or an EXR (X, Y, Z, S in cd/m2).", "vesper-render"};
+  prepare_program(app);
+  const SceneOptionSet scene_options(app);
+  RenderOptions options;
+  const CLI::Validator on_off = CLI::IsMember({"on", "off"});
+  app.add_option("-o,--output", options.output, "picture to write: NAME.png or NAME.exr")->required();
+  app.add_option("--catalogue", options.catalogue, "star buffer (.glb) in place of the embedded Bright Star Catalogue");
+  app.add_option("--scintillation", options.scintillation, "twinkling of the stars: on, off")->check(on_off);
+  app.add_option("--exposure-time", options.exposure_time_s,
+                 "seconds that scintillation is averaged over (default 0.1, the eye's)")
+      ->check(CLI::Range(0.0, 1.0e6));
+  app.add_option("--extinction", options.extinction, "dimming of the stars by the air: on, off")->check(on_off);
+  app.add_option("--exposure", options.exposure_stops, "stops over the default exposure of a PNG, -30 to 30")
+      ->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
+      ->check(CLI::ExistingDirectory);
+  app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");
+  return run_program(argc, argv, app, [&] { render(scene_options.resolve(), options); });
+}

@@ -1,0 +1,145 @@
+// vesper-report: what the sky is at a place and time.
+#include "report/batch.hpp"
+#include "report/scene_columns.hpp"
+#include "report/scene_text.hpp"
+#include "report/star_report.hpp"
+
+#include "common/program.hpp"
+#include "common/scene_options.hpp"
+
+#include "vesper/assets/default_stars.hpp"
+#include "vesper/base/error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+
+namespace vesper {
+namespace {
+
+struct ReportOptions {
+  bool json = false;
+  std::string output;
+  std::string batch;
+  std::string columns;
+  std::string ids;
+  std::string catalogue;
+};
+
+void deliver(const std::string& text, const std::string& path) {
+  if (path.empty()) {
+    write_standard_output(text);
+  } else {
+    write_file_atomically(path, text);
+  }
+}
+
+std::string scene_json(const SkyState& sky, const std::vector<SceneColumn>& columns) {
+  nlohmann::ordered_json json;
+  json["time"] = to_iso8601(sky.instant);
+  if (!sky.instant.note.empty()) {
+    json["note"] = sky.instant.note;
+  }
+  json["jd_tt"] = sky.instant.tt.value();
+  json["jd_ut1"] = sky.instant.ut1.value();
+  json["delta_t_s"] = sky.instant.delta_t_s;
+  json["latitude_deg"] = sky.observer.latitude.to(deg);
+  json["longitude_deg"] = sky.observer.longitude.to(deg);
+  json["height_m"] = sky.observer.height.to(metre);
+  for (const SceneColumn& column : columns) {
+    json[std::string(column.name)] = column.value(sky);
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string scene_lines(const SkyState& sky, const std::vector<SceneColumn>& columns) {
+  std::string text;
+  for (const SceneColumn& column : columns) {
+    text.append(column.name).append(" = ");
+    append_number(text, column.value(sky));
+    text += '\n';
+  }
+  return text;
+}
+
+void report_scene(const SceneOptions& scene, const ReportOptions& options) {
+  const std::vector<SceneColumn> columns = select_columns(options.columns);
+  const SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  deliver(options.json              ? scene_json(sky, columns)
+          : options.columns.empty() ? scene_text(sky, default_star_catalogue())
+                                    : scene_lines(sky, columns),
+          options.output);
+}
+
+void report_batch(const SceneOptions& scene, const ReportOptions& options) {
+  if (options.json) {
+    throw Error(ErrorKind::argument, "--json: not with --batch, which writes CSV");
+  }
+  const std::vector<SceneColumn> columns = select_columns(options.columns);
+  const CsvTable input(read_file(options.batch), options.batch);
+  const BatchReport report = batch_report(input, columns, scene);
+  if (report.rows_taken_as_ut1 > 0) {
+    spdlog::info("{}: {} stamps lie outside the leap seconds known (1972 to 2026), the first in line {}: taken as UT1, "
+                 "with TT from Delta-T",
+                 options.batch, report.rows_taken_as_ut1, report.first_such_line);
+  }
+  deliver(report.csv, options.output);
+}
+
+void report_stars(const SceneOptions& scene, const ReportOptions& options) {
+  if (options.ids.empty() == options.catalogue.empty()) {
+    throw Error(ErrorKind::argument, "stars: give either --ids LIST or --catalogue FILE");
+  }
+  const std::vector<RequestedStar> stars =
+      options.catalogue.empty() ? stars_by_id(options.ids, default_star_catalogue())
+                                : stars_of_table(CsvTable(read_file(options.catalogue), options.catalogue));
+  const StarFrame frame = star_frame(scene.instant, scene.observer, scene.tier);
+  deliver(options.json ? star_report_json(stars, frame) : star_report_csv(stars, frame), options.output);
+}
+
+} // namespace
+} // namespace vesper
+
+int main(int argc, char** argv) {
+  using namespace vesper;
+  CLI::App app("What the sky is at a place and time: positions of Sun, Moon and stars", "vesper-report");
+  prepare_program(app);
+  ReportOptions options;
+  app.add_flag("--json", options.json, "Write JSON");
+  app.add_option("-o,--output", options.output, "Write to a file instead of standard output")->type_name("FILE");
+  const CLI::Option* batch = app.add_option("--batch", options.batch,
+                                            "CSV of scenes with the columns utc (or jd_tt, jd_ut1), latitude_deg, "
+                                            "longitude_deg, height_m; others pass through")
+                                 ->type_name("FILE");
+  app.add_option("--columns", options.columns, "Comma-separated quantities to report; default all")->type_name("LIST");
+  const SceneOptionSet scene_options(app);
+
+  CLI::App* stars = app.add_subcommand("stars", "Places of chosen stars, as CSV or JSON");
+  stars->add_option("--ids", options.ids, "Comma-separated HR2491, HD48915, designations or names")->type_name("LIST");
+  stars
+      ->add_option("--catalogue", options.catalogue,
+                   "CSV with the columns id, ra_deg, dec_deg, epoch_jyear, pm_ra_cosdec_mas_yr, pm_dec_mas_yr, "
+                   "parallax_mas, radial_velocity_km_s")
+      ->type_name("FILE");
+  app.require_subcommand(0, 1);
+
+  return run_program(argc, argv, app, [&] {
+    const bool in_batch = batch->count() > 0 && !stars->parsed();
+    const SceneOptions scene = scene_options.resolve(in_batch ? Assumptions::silent : Assumptions::said);
+    if (!options.output.empty()) {
+      require_writable(options.output);
+    }
+    if (stars->parsed()) {
+      if (batch->count() > 0 || !options.columns.empty()) {
+        throw Error(ErrorKind::argument, "stars: takes no --batch and no --columns");
+      }
+      report_stars(scene, options);
+    } else if (in_batch) {
+      report_batch(scene, options);
+    } else {
+      report_scene(scene, options);
+    }
+  });
+}

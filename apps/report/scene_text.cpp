@@ -1,0 +1,150 @@
+#include "report/scene_text.hpp"
+
+#include "report/sky_figures.hpp"
+#include "report/star_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+namespace vesper {
+namespace {
+
+constexpr std::size_t brightest_count = 12;
+// A star lower than this drowns in the haze of the horizon; a figure should stand clear of roofs and trees.
+constexpr Angle star_lowest = 5.0 * deg;
+constexpr Angle figure_lowest = 15.0 * deg;
+
+std::string where(Angle azimuth, Angle altitude) {
+  return fmt::format("altitude {:5.1f}°, azimuth {:5.1f}° {}", altitude.to(deg), azimuth.to(deg),
+                     compass_point(azimuth));
+}
+
+std::string star_label(const StarIdentity& star) {
+  if (const std::string_view name = proper_name(star.hr); !name.empty()) {
+    return std::string(name);
+  }
+  return star.name.empty() ? fmt::format("HR {}", star.hr) : star.name;
+}
+
+struct Up {
+  const StarIdentity* star;
+  Vec3 direction; ///< horizon axes
+};
+
+std::vector<Up> stars_up(const SkyState& sky, const StarCatalogue& catalogue) {
+  const f64::StarPlaceFrame frame = place_frame(sky.stars, catalogue.provenance.epoch_jyear);
+  std::vector<Up> up;
+  for (std::size_t i = 0; i < catalogue.stars.size() && up.size() < brightest_count; ++i) {
+    const Vec3 direction = sky.stars.horizon_from_icrs * star_place_icrs(catalogue_star(catalogue.stars[i]), frame);
+    if (horizontal_of(direction).altitude > star_lowest) {
+      up.push_back({&catalogue.identities[i], direction});
+    }
+  }
+  return up;
+}
+
+/// Figures all of whose stars stand clear of the horizon, with the middle of each, highest first.
+std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& sky, const StarCatalogue& catalogue) {
+  std::unordered_map<std::uint32_t, std::size_t> index_of_hr;
+  for (std::size_t i = 0; i < catalogue.identities.size(); ++i) {
+    index_of_hr.emplace(catalogue.identities[i].hr, i);
+  }
+  const f64::StarPlaceFrame frame = place_frame(sky.stars, catalogue.provenance.epoch_jyear);
+  std::vector<std::pair<std::string_view, Horizontal>> up;
+  for (const SkyFigure& figure : sky_figures()) {
+    Vec3 middle(0.0);
+    const bool clear = std::all_of(figure.stars.begin(), figure.stars.end(), [&](std::uint16_t hr) {
+      const auto found = index_of_hr.find(hr);
+      if (found == index_of_hr.end()) {
+        return false;
+      }
+      const Vec3 direction =
+          sky.stars.horizon_from_icrs * star_place_icrs(catalogue_star(catalogue.stars[found->second]), frame);
+      middle += direction;
+      return horizontal_of(direction).altitude > figure_lowest;
+    });
+    if (clear) {
+      up.emplace_back(figure.name, horizontal_of(middle));
+    }
+  }
+  std::sort(up.begin(), up.end(), [](const auto& a, const auto& b) { return a.second.altitude > b.second.altitude; });
+  return up;
+}
+
+std::string place_text(const Observer& observer) {
+  const double latitude = observer.latitude.to(deg);
+  const double longitude = std::remainder(observer.longitude.to(deg), 360.0);
+  return fmt::format("{:.4f}° {}, {:.4f}° {}, {:.0f} m", std::abs(latitude), latitude < 0.0 ? 'S' : 'N',
+                     std::abs(longitude), longitude < 0.0 ? 'W' : 'E', observer.height.to(metre));
+}
+
+} // namespace
+
+std::string_view compass_point(Angle azimuth) {
+  constexpr std::array<std::string_view, 16> points{"N", "NNE", "NE", "ENE", "E", "ESE", "SE", "SSE",
+                                                    "S", "SSW", "SW", "WSW", "W", "WNW", "NW", "NNW"};
+  const double turns = azimuth.to(deg) / 360.0;
+  const auto sector = static_cast<std::size_t>(std::lround((turns - std::floor(turns)) * 16.0));
+  return points.at(sector % points.size());
+}
+
+std::string_view sky_condition(Angle sun_altitude) {
+  const double altitude = sun_altitude.to(deg);
+  // At -50 arcmin refraction and the Sun's radius put its upper limb on the horizon.
+  return altitude > -50.0 / 60.0 ? "day"
+         : altitude > -6.0       ? "civil twilight"
+         : altitude > -12.0      ? "nautical twilight"
+         : altitude > -18.0      ? "astronomical twilight"
+                                 : "night";
+}
+
+std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
+  if (illuminated_fraction < 0.02) {
+    return "new Moon";
+  }
+  if (illuminated_fraction > 0.98) {
+    return "full Moon";
+  }
+  if (illuminated_fraction > 0.45 && illuminated_fraction < 0.55) {
+    return waxing ? "first quarter" : "last quarter";
+  }
+  if (illuminated_fraction < 0.5) {
+    return waxing ? "waxing crescent" : "waning crescent";
+  }
+  return waxing ? "waxing gibbous" : "waning gibbous";
+}
+
+std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
+  const BodyPlace& moon = sky.moon.place;
+  const bool waxing = std::sin((moon.right_ascension - sky.sun.right_ascension).to(rad)) > 0.0;
+  std::string text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "Time    {}{}\n", to_iso8601(sky.instant),
+                 sky.instant.note.empty() ? "" : " (outside the leap seconds known, taken as UT1)");
+  fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
+  fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
+  fmt::format_to(out, "Sun     {}\n", where(sky.sun.azimuth, sky.sun.altitude));
+  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon.azimuth, moon.altitude),
+                 moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
+  const bool hidden = sky.sun.altitude > -6.0 * deg;
+  fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
+  for (const Up& up : stars_up(sky, catalogue)) {
+    const Horizontal place = horizontal_of(up.direction);
+    fmt::format_to(out, "  {:<16} {:5.2f} mag  {}\n", star_label(*up.star), up.star->magnitude,
+                   where(place.azimuth, place.altitude));
+  }
+  const auto figures = figures_up(sky, catalogue);
+  if (!figures.empty()) {
+    fmt::format_to(out, "\nFigures that stand clear of the horizon\n");
+    for (const auto& [name, place] : figures) {
+      fmt::format_to(out, "  {:<26} {}\n", name, where(place.azimuth, place.altitude));
+    }
+  }
+  return text;
+}
+
+} // namespace vesper

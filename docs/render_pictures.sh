@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Renders the pictures of the documentation into docs/pictures. Build first: ./run demo
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+render=build/release/bin/vesper-render
+[[ -x $render ]] || { echo "render_pictures: no $render; build it with ./run demo" >&2; exit 1; }
+mkdir -p docs/pictures
+
+# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian.
+picture() {
+  local name=$1
+  shift
+  "$render" --quiet --time 2026-01-15T22:00:00Z --latitude 51.4769 --longitude 0 --height 47 --seed 1 "$@" \
+    -o "docs/pictures/$name.png"
+  echo "docs/pictures/$name.png"
+}
+
+# The whole sky: zenith in the middle, south below, east on the left.
+picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --size 1024x1024
+picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
+picture plough --projection perspective --azimuth 45 --altitude 45 --fov 40 --size 1200x800

@@ -1,0 +1,37 @@
+// Pictures in files.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace vesper {
+
+/// Text that a picture file carries, name and value.
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes a frame as OpenEXR: 32-bit float channels X, Y, Z, S, row 0 on top, lossless (ZIP). `xyzs` holds 4 floats a
+/// pixel. Same input, same bytes. Throws Error(file); an earlier file is then unchanged.
+void write_exr(const std::filesystem::path& path, int width, int height, std::span<const float> xyzs,
+               const ImageMetadata& metadata);
+
+/// Writes display pixels as PNG, 8-bit RGB, sRGB. `rgba` holds 4 bytes a pixel; alpha is dropped.
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,
+               const ImageMetadata& metadata);
+
+/// A float picture as read back: `channels.size()` floats a pixel.
+struct FloatImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::string> channels;
+  std::vector<float> values;
+  ImageMetadata metadata; ///< text attributes only
+};
+
+/// Reads any picture OpenImageIO knows, as floats. Throws Error(file) or Error(input).
+[[nodiscard]] FloatImage read_image(const std::filesystem::path& path);
+
+} // namespace vesper

@@ -1,0 +1,76 @@
+#include "vesper/astro/star_frame.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace vesper {
+namespace {
+
+constexpr JulianDate<TT> j2000_tt{2451545.0, 0.0};
+constexpr JulianDate<UT1> j2000_ut1{2451545.0, 0.0};
+constexpr double days_per_year = 365.25;
+constexpr double days_per_century = 36525.0;
+constexpr double light_speed_au_d = 173.1446326742403; // c in au/day (IAU 2012 au)
+
+/// Turns vectors by `angle` about z, x towards y.
+Mat3 turn_z(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0};
+}
+
+/// Turns vectors by `angle` about y, z towards x.
+Mat3 turn_y(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c};
+}
+
+/// Mueller, Engel and Doellner 2012, eq. 7 and 8 (after Jensen et al. 2001).
+StarFrame cheap_star_frame(const Instant& instant, const Observer& observer) {
+  const double t = instant.tt.days_since(j2000_tt) / days_per_century;
+  const double t_ut1 = instant.ut1.days_since(j2000_ut1) / days_per_century;
+  const double sidereal = 4.894961 + 230121.675315 * t_ut1 + observer.longitude.to(rad);
+  const double turn = 2.0 * std::numbers::pi;
+  StarFrame frame;
+  frame.sidereal_time_rad = sidereal - turn * std::floor(sidereal / turn);
+  frame.equator_of_date_from_icrs = turn_z(0.01118 * t) * turn_y(-0.00972 * t) * turn_z(0.01118 * t);
+  frame.horizon_from_icrs =
+      horizon_from_equator(observer.latitude, frame.sidereal_time_rad) * frame.equator_of_date_from_icrs;
+  frame.sun_to_observer = Vec3(1.0, 0.0, 0.0);
+  frame.solar_deflection = false;
+  return frame;
+}
+
+} // namespace
+
+Mat3 horizon_from_equator(Angle latitude, double sidereal_time_rad) {
+  const double c = std::cos(latitude.to(rad));
+  const double s = std::sin(latitude.to(rad));
+  // Columns: the meridian point of the equator, the east point and the celestial pole in horizon axes.
+  const Mat3 horizon_from_meridian(Vec3(0.0, -s, c), Vec3(1.0, 0.0, 0.0), Vec3(0.0, c, s));
+  return horizon_from_meridian * turn_z(-sidereal_time_rad);
+}
+
+StarFrame star_frame(const EarthState& earth) {
+  StarFrame frame;
+  frame.years_since_j2000 = earth.instant.tt.days_since(j2000_tt) / days_per_year;
+  frame.observer_barycentric_au = earth.earth_barycentric_au + earth.earth_to_observer_au;
+  frame.observer_velocity_c = (earth.earth_velocity_au_d + earth.observer_velocity_au_d) / light_speed_au_d;
+  frame.lorentz_inverse = std::sqrt(1.0 - glm::dot(frame.observer_velocity_c, frame.observer_velocity_c));
+  const Vec3 sun_to_observer = earth.sun_to_earth_au + earth.earth_to_observer_au;
+  frame.sun_distance_au = glm::length(sun_to_observer);
+  frame.sun_to_observer = sun_to_observer / frame.sun_distance_au;
+  frame.solar_deflection = true;
+  frame.equator_of_date_from_icrs = earth.equator_of_date_from_icrs;
+  frame.sidereal_time_rad = earth.local_sidereal_time_rad;
+  frame.horizon_from_icrs =
+      horizon_from_equator(earth.observer.latitude, frame.sidereal_time_rad) * frame.equator_of_date_from_icrs;
+  return frame;
+}
+
+StarFrame star_frame(const Instant& instant, const Observer& observer, Tier tier) {
+  return tier == Tier::cheap ? cheap_star_frame(instant, observer) : star_frame(earth_state(instant, observer));
+}
+
+} // namespace vesper

@@ -1,0 +1,69 @@
+#include "vesper/astro/time.hpp"
+
+#include "vesper/astro/delta_t.hpp"
+#include "vesper/astro/utc.hpp"
+
+#include "vesper/base/error.hpp"
+
+#include <erfa.h>
+
+namespace vesper {
+namespace {
+
+constexpr double seconds_per_day = 86400.0;
+// 1972-01-01, when UTC began to keep whole seconds from TAI, and 2027-01-01, up to which IERS Bulletin C 72 (July 2026)
+// announces no leap second.
+constexpr double utc_begin_jd = 2441317.5;
+constexpr double utc_end_jd = 2461406.5;
+
+} // namespace
+
+bool utc_is_defined(double day, double fraction) {
+  return (day - utc_begin_jd) + fraction >= 0.0 && (day - utc_end_jd) + fraction < 0.0;
+}
+
+Instant instant_from(JulianDate<TT> tt, JulianDate<UT1> ut1) {
+  const double delta_t = ((tt.day - ut1.day) + (tt.fraction - ut1.fraction)) * seconds_per_day;
+  return {tt, ut1, delta_t, ""};
+}
+
+Instant instant_from_tt(JulianDate<TT> tt) {
+  const double delta_t = delta_t_s(tt);
+  return {tt, {tt.day, tt.fraction - delta_t / seconds_per_day}, delta_t, ""};
+}
+
+Instant instant_from_ut1(JulianDate<UT1> ut1) {
+  // Delta-T changes by less than 1e-6 of the time elapsed: the first step is right to a millisecond even in antiquity.
+  JulianDate<TT> tt{ut1.day, ut1.fraction};
+  for (int i = 0; i < 3; ++i) {
+    tt.fraction = ut1.fraction + delta_t_s(tt) / seconds_per_day;
+  }
+  const double delta_t = delta_t_s(tt);
+  return {tt, ut1, delta_t, ""};
+}
+
+Instant instant_from_utc(JulianDate<UTC> utc) {
+  if (!utc_is_defined(utc.day, utc.fraction)) {
+    Instant instant = instant_from_ut1({utc.day, utc.fraction});
+    instant.note = "The time lies outside the leap seconds known (1972 to 2026): taken as UT1, with TT from Delta-T";
+    return instant;
+  }
+  double tai1 = 0.0;
+  double tai2 = 0.0;
+  double tt1 = 0.0;
+  double tt2 = 0.0;
+  // Inside the table eraUtctai warns only when the library is older than the stamp by five years.
+  if (eraUtctai(utc.day, utc.fraction, &tai1, &tai2) < 0 || eraTaitt(tai1, tai2, &tt1, &tt2) != 0) {
+    throw Error(ErrorKind::argument, "the date cannot be converted from UTC");
+  }
+  return instant_from_tt({tt1, tt2});
+}
+
+Instant later(const Instant& instant, double seconds) {
+  const JulianDate<TT> tt = instant.tt.plus_days(seconds / seconds_per_day);
+  // An instant with an Earth rotation of its own keeps its difference to the table.
+  const double delta_t = instant.delta_t_s + (delta_t_s(tt) - delta_t_s(instant.tt));
+  return {tt, {tt.day, tt.fraction - delta_t / seconds_per_day}, delta_t, instant.note};
+}
+
+} // namespace vesper

@@ -1,0 +1,61 @@
+// Time scales and the instant of a scene.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace vesper {
+
+struct UTC {};
+struct UT1 {};
+struct TT {};
+struct TDB {};
+
+/// A two-part Julian date in one time scale: the date is day + fraction. Which part is large does not matter to the
+/// value; ISO input puts the Julian date of midnight in `day`. For UTC the ERFA quasi-JD of leap-second days applies.
+template <class Scale> struct JulianDate {
+  double day = 2451545.0;
+  double fraction = 0.0;
+
+  /// The sum, good to about 40 microseconds.
+  [[nodiscard]] constexpr double value() const { return day + fraction; }
+  /// Days from another date of the same scale to this one, without loss.
+  [[nodiscard]] constexpr double days_since(JulianDate other) const {
+    return (day - other.day) + (fraction - other.fraction);
+  }
+  [[nodiscard]] constexpr JulianDate plus_days(double days) const { return {day, fraction + days}; }
+};
+
+/// One moment in the scales that astronomy needs. `note` says in a sentence when a convention had to step in (a UTC
+/// stamp outside the leap-second table taken as UT1); empty otherwise.
+struct Instant {
+  JulianDate<TT> tt;
+  JulianDate<UT1> ut1;
+  double delta_t_s = 0.0; ///< TT - UT1
+  std::string note;
+};
+
+/// How a stamp without a scale of its own is read.
+enum class TimeScale { utc, ut1, tt };
+
+/// Parses "2026-08-12T22:00:00Z", "JD2461265.4" or "now".
+///
+/// Of a stamp the time of day, its seconds, their fraction and the 'Z' may be left out, and a space may stand for the
+/// 'T'. The calendar is the proleptic Gregorian one; years run from -4712 to 9999, those before 0 as "-0500". In UTC
+/// 23:59:60 is a leap second's name and allowed only there. `scale` applies to stamps (with or without 'Z') and Julian
+/// dates; "now" is the computer's clock.
+///
+/// A UTC stamp before 1972-01-01 or from 2027-01-01 on, where no leap second is known, is taken as UT1, with TT from
+/// Delta-T; the result's `note` says so. Throws Error(argument) naming what is wrong and the allowed form.
+[[nodiscard]] Instant parse_instant(std::string_view text, TimeScale scale = TimeScale::utc);
+
+/// The instant of given TT and UT1, for callers with their own Earth rotation.
+[[nodiscard]] Instant instant_from(JulianDate<TT> tt, JulianDate<UT1> ut1);
+
+/// An instant `seconds` of TT later.
+[[nodiscard]] Instant later(const Instant& instant, double seconds);
+
+/// ISO 8601 to the millisecond, in UTC where the leap-second table covers it ("...Z"), else in UT1 ("... UT1").
+[[nodiscard]] std::string to_iso8601(const Instant& instant);
+
+} // namespace vesper

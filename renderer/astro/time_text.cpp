@@ -1,0 +1,214 @@
+#include "vesper/astro/time.hpp"
+
+#include "vesper/astro/utc.hpp"
+
+#include "vesper/base/error.hpp"
+
+#include <erfa.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+namespace vesper {
+namespace {
+
+constexpr double seconds_per_day = 86400.0;
+constexpr const char* allowed_form = "Write 2026-08-12T22:00:00Z, JD2461265.4 or now";
+
+[[noreturn]] void fail(std::string_view text, const std::string& what) {
+  throw Error(ErrorKind::argument, fmt::format("'{}' is not a time: {}", text, what), {"", "", allowed_form});
+}
+
+/// Reads a stamp from left to right; every reader fails with the whole text in its message.
+class StampReader {
+public:
+  explicit StampReader(std::string_view text) : text_(text), rest_(text) {}
+
+  [[nodiscard]] bool done() const { return rest_.empty(); }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+  bool accept(char c) {
+    if (rest_.empty() || rest_.front() != c) {
+      return false;
+    }
+    rest_.remove_prefix(1);
+    return true;
+  }
+
+  /// Exactly `digits` digits that lie in [lowest, highest].
+  int field(const char* name, std::size_t digits, int lowest, int highest) {
+    const std::string_view token = rest_.substr(0, digits);
+    int value = 0;
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (token.size() != digits || error != std::errc() || end != token.data() + digits || token.front() == '-') {
+      fail(text_, fmt::format("the {} needs {} digits", name, digits));
+    }
+    rest_.remove_prefix(digits);
+    if (value < lowest || value > highest) {
+      fail(text_, fmt::format("the {} {} is not in {} to {}", name, value, lowest, highest));
+    }
+    return value;
+  }
+
+  /// The digits after a decimal point as a fraction of one.
+  double fraction() {
+    const std::size_t digits = std::min(rest_.find_first_not_of("0123456789"), rest_.size());
+    if (digits == 0) {
+      fail(text_, "digits are missing after the decimal point");
+    }
+    const std::string number = "0." + std::string(rest_.substr(0, digits));
+    rest_.remove_prefix(digits);
+    double value = 0.0;
+    std::from_chars(number.data(), number.data() + number.size(), value);
+    return value;
+  }
+
+private:
+  std::string_view text_;
+  std::string_view rest_;
+};
+
+struct Stamp {
+  int year = 0;
+  int month = 1;
+  int day = 1;
+  int hour = 0;
+  int minute = 0;
+  double second = 0.0;
+};
+
+void read_time_of_day(StampReader& reader, std::string_view text, Stamp& stamp) {
+  stamp.hour = reader.field("hour", 2, 0, 23);
+  if (!reader.accept(':')) {
+    fail(text, "':' and the minute must follow the hour");
+  }
+  stamp.minute = reader.field("minute", 2, 0, 59);
+  if (reader.accept(':')) {
+    stamp.second = reader.field("second", 2, 0, 60);
+    if (reader.accept('.')) {
+      stamp.second += reader.fraction();
+    }
+  }
+}
+
+Stamp read_stamp(std::string_view text) {
+  StampReader reader(text);
+  Stamp stamp;
+  const bool negative = reader.accept('-');
+  stamp.year = reader.field("year", 4, 0, negative ? 4712 : 9999);
+  stamp.year = negative ? -stamp.year : stamp.year;
+  if (!reader.accept('-')) {
+    fail(text, "'-' and the month must follow the year");
+  }
+  stamp.month = reader.field("month", 2, 1, 12);
+  if (!reader.accept('-')) {
+    fail(text, "'-' and the day must follow the month");
+  }
+  stamp.day = reader.field("day", 2, 1, 31);
+  if (!reader.done() && reader.rest() != "Z") {
+    if (!reader.accept('T') && !reader.accept(' ')) {
+      fail(text, fmt::format("'T' and a time of day must follow the date, not '{}'", reader.rest()));
+    }
+    read_time_of_day(reader, text, stamp);
+  }
+  reader.accept('Z');
+  if (!reader.done()) {
+    fail(text, fmt::format("'{}' at the end cannot be read", reader.rest()));
+  }
+  return stamp;
+}
+
+Instant instant_of(double day, double fraction, TimeScale scale) {
+  switch (scale) {
+  case TimeScale::ut1:
+    return instant_from_ut1({day, fraction});
+  case TimeScale::tt:
+    return instant_from_tt({day, fraction});
+  case TimeScale::utc:
+    break;
+  }
+  return instant_from_utc({day, fraction});
+}
+
+Instant parse_stamp(std::string_view text, TimeScale scale) {
+  const Stamp stamp = read_stamp(text);
+  double day = 0.0;
+  double fraction = 0.0;
+  if (eraCal2jd(stamp.year, stamp.month, stamp.day, &day, &fraction) != 0) {
+    fail(text, fmt::format("month {} has no day {}", stamp.month, stamp.day));
+  }
+  const double midnight = day + fraction;
+  const bool leap_seconds = scale == TimeScale::utc && utc_is_defined(midnight, 0.0);
+  const int status = eraDtf2d(leap_seconds ? "UTC" : "TT", stamp.year, stamp.month, stamp.day, stamp.hour, stamp.minute,
+                              stamp.second, &day, &fraction);
+  // +1 says that the library is older than the date, +2 that the second lies beyond the end of the minute or day.
+  if (status < 0 || status > 1 || (stamp.second >= 60.0 && !(stamp.hour == 23 && stamp.minute == 59 && leap_seconds))) {
+    fail(text, "there is no leap second at that time");
+  }
+  return instant_of(midnight, (day - midnight) + fraction, scale);
+}
+
+Instant parse_julian_date(std::string_view text, TimeScale scale) {
+  constexpr int last_day = 5373484; // the noon in the last day of year 9999
+  StampReader reader(text);
+  reader.accept('J');
+  reader.accept('D');
+  const std::size_t digits = std::min(reader.rest().find_first_not_of("0123456789"), reader.rest().size());
+  if (digits == 0 || digits > 7) {
+    fail(text, "a Julian date needs one to seven digits before its decimal point");
+  }
+  const int day = reader.field("Julian day", digits, 0, last_day);
+  const double fraction = reader.accept('.') ? reader.fraction() : 0.0;
+  if (!reader.done()) {
+    fail(text, fmt::format("'{}' at the end cannot be read", reader.rest()));
+  }
+  return instant_of(day, fraction, scale);
+}
+
+Instant instant_now() {
+  // The system's clock counts days of 86400 s since 1970 and skips or repeats leap seconds.
+  const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+  const double seconds = std::chrono::duration<double>(since_epoch).count();
+  const double days = std::floor(seconds / seconds_per_day);
+  return instant_from_utc({2440587.5 + days, (seconds - days * seconds_per_day) / seconds_per_day});
+}
+
+} // namespace
+
+Instant parse_instant(std::string_view text, TimeScale scale) {
+  if (text == "now") {
+    return instant_now();
+  }
+  return text.starts_with("JD") ? parse_julian_date(text, scale) : parse_stamp(text, scale);
+}
+
+std::string to_iso8601(const Instant& instant) {
+  double day = instant.ut1.day;
+  double fraction = instant.ut1.fraction;
+  double tai1 = 0.0;
+  double tai2 = 0.0;
+  double utc1 = 0.0;
+  double utc2 = 0.0;
+  // UT1 and UTC differ by less than a second: the border between them is drawn in UTC itself.
+  const bool near_utc = utc_is_defined(day, fraction + 1.0 / seconds_per_day);
+  const bool is_utc = near_utc && eraTttai(instant.tt.day, instant.tt.fraction, &tai1, &tai2) == 0 &&
+                      eraTaiutc(tai1, tai2, &utc1, &utc2) >= 0 && utc_is_defined(utc1, utc2);
+  if (is_utc) {
+    day = utc1;
+    fraction = utc2;
+  }
+  int year = 0;
+  int month = 0;
+  int day_of_month = 0;
+  std::array<int, 4> time{};
+  if (eraD2dtf(is_utc ? "UTC" : "UT1", 3, day, fraction, &year, &month, &day_of_month, time.data()) < 0) {
+    throw Error(ErrorKind::argument, fmt::format("Julian date {} has no calendar date", instant.ut1.value()));
+  }
+  return fmt::format("{}{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}{}", year < 0 ? "-" : "", std::abs(year), month,
+                     day_of_month, time[0], time[1], time[2], time[3], is_utc ? "Z" : " UT1");
+}
+
+} // namespace vesper

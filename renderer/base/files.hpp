@@ -1,0 +1,27 @@
+// Whole-file input and output with errors that name the file.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vesper {
+
+using Bytes = std::vector<std::byte>;
+
+/// Reads a whole file (or pipe). Throws Error(file).
+[[nodiscard]] Bytes read_file(const std::filesystem::path& path);
+
+/// Replaces `path` by `data` or leaves it as it was: writes a temporary file in the same folder, flushes it to the
+/// disk and renames it. Follows a symbolic link to its target; writes straight to what is no regular file (a pipe or a
+/// device). Throws Error(file), naming the path and the system's reason; the temporary file is then removed.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> data);
+void write_file_atomically(const std::filesystem::path& path, const std::string& text);
+
+/// Throws Error(file) unless `path` could be created or replaced: its folder must exist and be writable, and it must
+/// not be a folder itself. For failing before long work rather than after it.
+void require_writable(const std::filesystem::path& path);
+
+} // namespace vesper

@@ -1,0 +1,45 @@
+#include "vesper/gpu/display_mapping.hpp"
+
+#include "vesper/base/error.hpp"
+#include "vesper/base/shader_math.hpp"
+#include "vesper/gpu/program.hpp"
+
+#include <cmath>
+#include <epoxy/gl.h>
+#include <numbers>
+
+namespace vesper::gpu {
+
+PlainExposure::PlainExposure(const ShaderLibrary& library, Luminance white)
+    : program_(build_program(library, {"exposure.comp"})), white_(white) {
+  if (!(white > Luminance())) {
+    throw Error(ErrorKind::argument, "the white luminance must be positive", {"", "", "Give more than 0 cd/m2"});
+  }
+}
+
+void PlainExposure::map(const Texture& frame, const Texture& pixels, int width, int height) {
+  constexpr GLuint group = 16;
+  const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
+  glProgramUniform1f(program_.name(), 0, static_cast<float>(white_.to(candela_per_m2)));
+  glUseProgram(program_.name());
+  glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+  glBindImageTexture(0, frame.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
+  glBindImageTexture(1, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+  glDispatchCompute(groups(width), groups(height), 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+Luminance star_chart_white(const View& view) {
+  constexpr double faint_magnitude = 5.0;
+  constexpr double share_of_white = 1.0 / 6.0;
+  const f64::ProjectionFrame projection = projection_frame(view);
+  const f64::PixelFrame frame{projection.kind, projection.size, projection.focal};
+  const double side = view.projection == Projection::cubemap ? view.width : view.height;
+  const double illuminance = f64::zero_magnitude_lux * std::pow(10.0, -0.4 * faint_magnitude);
+  const double sigma = f64::psf_sigma(illuminance);
+  const double weight = 1.0 / (2.0 * std::numbers::pi * sigma * sigma);
+  const double per_steradian = f64::pixels_per_steradian({0.5 * view.width, 0.5 * side}, frame);
+  return illuminance * weight * per_steradian / share_of_white * candela_per_m2;
+}
+
+} // namespace vesper::gpu

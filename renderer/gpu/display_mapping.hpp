@@ -1,0 +1,42 @@
+// From the frame in absolute units to display pixels.
+#pragma once
+
+#include "vesper/base/units.hpp"
+#include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/shader_library.hpp"
+#include "vesper/plan/view.hpp"
+
+namespace vesper::gpu {
+
+/// Frame in, display pixels out. Adaptation, glare, acuity, noise and tone belong behind this interface; the frame
+/// itself only holds the light of the scene.
+class DisplayMapping {
+public:
+  DisplayMapping() = default;
+  DisplayMapping(const DisplayMapping&) = delete;
+  DisplayMapping& operator=(const DisplayMapping&) = delete;
+  virtual ~DisplayMapping() = default;
+
+  /// Fills `pixels` (rgba8, sRGB code values) from `frame` (rgba32f: X, Y, Z in cd/m2 and S), both width x height.
+  virtual void map(const Texture& frame, const Texture& pixels, int width, int height) = 0;
+};
+
+/// One luminance becomes the display's white; brighter colours keep their hue.
+class PlainExposure : public DisplayMapping {
+public:
+  /// \param white luminance that becomes code value 255 for a neutral colour, > 0
+  PlainExposure(const ShaderLibrary& library, Luminance white);
+
+  void map(const Texture& frame, const Texture& pixels, int width, int height) override;
+
+private:
+  ProgramHandle program_;
+  Luminance white_;
+};
+
+/// The white luminance at which a V = 5 star seen through no air reaches a sixth of white (code value 114) in its
+/// brightest pixel at the centre of the view. It follows the pixels' solid angle, since a point source gets brighter
+/// the finer the pixels are: 1.0e-3 cd/m2 for 512 x 512 pixels of the whole sky.
+[[nodiscard]] Luminance star_chart_white(const View& view);
+
+} // namespace vesper::gpu

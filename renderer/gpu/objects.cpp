@@ -1,0 +1,82 @@
+#include "vesper/gpu/objects.hpp"
+
+#include "vesper/base/error.hpp"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+namespace vesper::gpu {
+
+void delete_buffer(unsigned int name) { glDeleteBuffers(1, &name); }
+void delete_texture(unsigned int name) { glDeleteTextures(1, &name); }
+void delete_vertex_array(unsigned int name) { glDeleteVertexArrays(1, &name); }
+void delete_framebuffer(unsigned int name) { glDeleteFramebuffers(1, &name); }
+void delete_program(unsigned int name) { glDeleteProgram(name); }
+
+Buffer make_static_buffer(std::span<const std::byte> data) {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  Buffer buffer(name);
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(data.size()), data.data(), 0);
+  require_no_error("creating a buffer");
+  return buffer;
+}
+
+Buffer make_dynamic_buffer(std::size_t size) {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  Buffer buffer(name);
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  require_no_error("creating a buffer");
+  return buffer;
+}
+
+void update_buffer(const Buffer& buffer, std::span<const std::byte> data) {
+  glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(data.size()), data.data());
+}
+
+VertexArray make_vertex_array() {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  return VertexArray(name);
+}
+
+Texture make_texture(int width, int height, PixelFormat format) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  Texture texture(name);
+  glTextureStorage2D(name, 1, format == PixelFormat::rgba32f ? GL_RGBA32F : GL_RGBA8, width, height);
+  require_no_error("creating a texture");
+  return texture;
+}
+
+Framebuffer make_framebuffer(const Texture& color) {
+  GLuint name = 0;
+  glCreateFramebuffers(1, &name);
+  Framebuffer framebuffer(name);
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color.name(), 0);
+  if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    throw Error(ErrorKind::gpu, "the driver cannot draw into a 32-bit float framebuffer",
+                {"", "", "Use another driver, or Mesa's software renderer"});
+  }
+  return framebuffer;
+}
+
+int largest_texture_side() {
+  GLint side = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+  return side;
+}
+
+void require_no_error(const char* where) {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) {
+    return;
+  }
+  throw Error(ErrorKind::gpu, fmt::format("OpenGL error 0x{:04x} while {}", error, where),
+              {"", "", error == GL_OUT_OF_MEMORY ? "Ask for a smaller picture" : "Please report it with the driver's name"});
+}
+
+void finish() { glFinish(); }
+
+} // namespace vesper::gpu

@@ -1,0 +1,75 @@
+// OpenGL objects that free themselves. Handles are plain integers, so that headers need no OpenGL.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace vesper::gpu {
+
+/// Sole owner of an OpenGL name, freed by the kind's deleter.
+template <void (*Delete)(unsigned int)> class Handle {
+public:
+  Handle() = default;
+  explicit Handle(unsigned int name) : name_(name) {}
+  Handle(Handle&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+  Handle& operator=(Handle&& other) noexcept {
+    if (this != &other) {
+      reset();
+      name_ = std::exchange(other.name_, 0);
+    }
+    return *this;
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() { reset(); }
+
+  [[nodiscard]] unsigned int name() const { return name_; }
+  explicit operator bool() const { return name_ != 0; }
+
+private:
+  void reset() {
+    if (name_ != 0) {
+      Delete(name_);
+      name_ = 0;
+    }
+  }
+  unsigned int name_ = 0;
+};
+
+void delete_buffer(unsigned int name);
+void delete_texture(unsigned int name);
+void delete_vertex_array(unsigned int name);
+void delete_framebuffer(unsigned int name);
+void delete_program(unsigned int name);
+
+using Buffer = Handle<delete_buffer>;
+using Texture = Handle<delete_texture>;
+using VertexArray = Handle<delete_vertex_array>;
+using Framebuffer = Handle<delete_framebuffer>;
+using ProgramHandle = Handle<delete_program>;
+
+/// A buffer of fixed contents.
+[[nodiscard]] Buffer make_static_buffer(std::span<const std::byte> data);
+/// A buffer of `size` bytes that update_buffer may rewrite.
+[[nodiscard]] Buffer make_dynamic_buffer(std::size_t size);
+void update_buffer(const Buffer& buffer, std::span<const std::byte> data);
+
+[[nodiscard]] VertexArray make_vertex_array();
+
+/// 32-bit float RGBA (a strip of the frame) or 8-bit RGBA (display pixels), without mipmaps. Throws Error(gpu) when
+/// the driver has no room for it.
+enum class PixelFormat { rgba32f, rgba8 };
+[[nodiscard]] Texture make_texture(int width, int height, PixelFormat format);
+[[nodiscard]] Framebuffer make_framebuffer(const Texture& color);
+
+/// Largest width and height of a texture.
+[[nodiscard]] int largest_texture_side();
+
+/// Throws Error(gpu) if OpenGL has recorded an error since the last call.
+void require_no_error(const char* where);
+
+/// Waits until the GPU has done all it was told.
+void finish();
+
+} // namespace vesper::gpu

@@ -1,0 +1,108 @@
+#include "vesper/gpu/renderer.hpp"
+
+#include "vesper/gpu/frame_graph.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <epoxy/gl.h>
+
+namespace vesper::gpu {
+namespace {
+
+/// Pixels a strip may hold: 512 MiB of frame.
+constexpr std::int64_t strip_pixels = std::int64_t{1} << 25;
+
+int strip_rows(const View& view, int limit) {
+  const std::int64_t by_memory = std::max<std::int64_t>(1, strip_pixels / view.width);
+  const std::int64_t rows = std::min<std::int64_t>({view.height, largest_texture_side(), by_memory});
+  return static_cast<int>(limit > 0 ? std::min<std::int64_t>(rows, limit) : rows);
+}
+
+template <class T> void read_back(const Texture& texture, GLenum type, const Strip& strip, int width, std::vector<T>& to) {
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  T* first = to.data() + row * static_cast<std::size_t>(strip.first_row);
+  const std::size_t bytes = row * static_cast<std::size_t>(strip.rows) * sizeof(T);
+  glGetTextureSubImage(texture.name(), 0, 0, 0, 0, width, strip.rows, 1, GL_RGBA, type, static_cast<GLsizei>(bytes),
+                       first);
+}
+
+} // namespace
+
+struct Renderer::Target {
+  Target(int target_width, int target_rows)
+      : width(target_width), rows(target_rows), frame(make_texture(width, rows, PixelFormat::rgba32f)),
+        pixels(make_texture(width, rows, PixelFormat::rgba8)), framebuffer(make_framebuffer(frame)) {}
+
+  int width;
+  int rows;
+  Texture frame;
+  Texture pixels;
+  Framebuffer framebuffer;
+};
+
+Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), ground_pass_(library) {}
+
+Renderer::~Renderer() = default;
+
+Renderer::Target& Renderer::target(int width, int rows) {
+  if (!target_ || target_->width != width || target_->rows != rows) {
+    target_.reset();
+    target_ = std::make_unique<Target>(width, rows);
+  }
+  return *target_;
+}
+
+Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& plan, const RenderOutputs& outputs) {
+  validate(view);
+  Frame frame;
+  frame.width = view.width;
+  frame.height = view.height;
+  const std::size_t values = 4 * static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  if (outputs.xyzs) {
+    frame.xyzs.resize(values);
+  }
+  if (outputs.mapping != nullptr) {
+    frame.rgba.resize(values);
+  }
+  std::vector<PassTiming>* timings = outputs.timings ? &frame.timings : nullptr;
+
+  FrameGraph graph;
+  graph.add("clear", [](const Strip&) {
+    const std::array<float, 4> black{};
+    glClearBufferfv(GL_COLOR, 0, black.data());
+  });
+  if (plan.star_count > 0) {
+    star_pass_.prepare(sky, view, plan, outputs.star_shading);
+    graph.add("stars", [&](const Strip& strip) { star_pass_.draw(strip); });
+  }
+  if (has(plan.options.layers, Layer::ground)) {
+    ground_pass_.prepare(view, plan);
+    graph.add("ground", [&](const Strip& strip) { ground_pass_.draw(strip); });
+  }
+
+  const int rows = strip_rows(view, strip_limit_);
+  const Target& on = target(view.width, rows);
+  for (int first = 0; first < view.height; first += rows) {
+    const Strip strip{first, std::min(rows, view.height - first)};
+    glBindFramebuffer(GL_FRAMEBUFFER, on.framebuffer.name());
+    glViewport(0, 0, view.width, strip.rows);
+    graph.run(strip, timings);
+    if (outputs.mapping != nullptr) {
+      timed("display", timings, [&] { outputs.mapping->map(on.frame, on.pixels, view.width, strip.rows); });
+    }
+    timed("read back", timings, [&] {
+      if (outputs.xyzs) {
+        read_back(on.frame, GL_FLOAT, strip, view.width, frame.xyzs);
+      }
+      if (outputs.mapping != nullptr) {
+        read_back(on.pixels, GL_UNSIGNED_BYTE, strip, view.width, frame.rgba);
+      }
+    });
+    require_no_error("reading the frame back");
+  }
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return frame;
+}
+
+} // namespace vesper::gpu

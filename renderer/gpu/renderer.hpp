@@ -1,0 +1,56 @@
+// Draws frames of the sky.
+#pragma once
+
+#include "vesper/assets/star_catalogue.hpp"
+#include "vesper/gpu/display_mapping.hpp"
+#include "vesper/gpu/frame.hpp"
+#include "vesper/gpu/ground_pass.hpp"
+#include "vesper/gpu/shader_library.hpp"
+#include "vesper/gpu/star_pass.hpp"
+#include "vesper/plan/frame_plan.hpp"
+#include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+#include <memory>
+
+namespace vesper::gpu {
+
+/// What render() hands back.
+struct RenderOutputs {
+  bool xyzs = true;                  ///< the frame itself
+  DisplayMapping* mapping = nullptr; ///< display pixels through it; none if null
+  bool timings = false;              ///< wall-clock time per pass; costs a wait for the GPU after each
+  StarShading star_shading = StarShading::psf;
+};
+
+/// Needs a current OpenGL 4.5 core context from construction to destruction, all on one thread. A picture larger than
+/// the GPU's largest texture is drawn in strips, with the same pixels as in one piece.
+class Renderer {
+public:
+  /// The library must outlive the renderer. There are no stars until load().
+  explicit Renderer(const ShaderLibrary& library);
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  ~Renderer();
+
+  /// Copies a catalogue to the GPU in place of the one before. Plans for a frame must be made from the same one.
+  void load(const StarCatalogue& catalogue) { star_pass_.load(catalogue); }
+
+  /// Draws one frame. Throws Error(argument) for a view out of range and Error(gpu) when the GPU fails.
+  [[nodiscard]] Frame render(const SkyState& sky, const View& view, const FramePlan& plan,
+                             const RenderOutputs& outputs = {});
+
+  /// Rows that a strip may have at most; 0 for what the GPU takes. For tests.
+  void limit_strip_rows(int rows) { strip_limit_ = rows; }
+
+private:
+  struct Target;
+  Target& target(int width, int rows);
+
+  StarPass star_pass_;
+  GroundPass ground_pass_;
+  std::unique_ptr<Target> target_;
+  int strip_limit_ = 0;
+};
+
+} // namespace vesper::gpu

@@ -1,0 +1,44 @@
+// Stars as instanced billboards, added to the frame.
+#pragma once
+
+#include "vesper/assets/star_catalogue.hpp"
+#include "vesper/gpu/frame.hpp"
+#include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/program.hpp"
+#include "vesper/plan/frame_plan.hpp"
+#include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+namespace vesper::gpu {
+
+/// What the fragment stage computes.
+enum class StarShading {
+  psf,            ///< the point-spread function
+  constant_color, ///< the same billboards in one colour: the yardstick of benchmarks
+};
+
+class StarPass {
+public:
+  /// The library must outlive the pass.
+  explicit StarPass(const ShaderLibrary& library);
+
+  /// Copies a catalogue to the GPU in place of the one before.
+  void load(const StarCatalogue& catalogue);
+
+  /// Hands a frame's numbers to the GPU and makes sure that its program is built.
+  void prepare(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading = StarShading::psf);
+
+  /// Draws the prepared stars into the bound framebuffer.
+  void draw(const Strip& strip);
+
+private:
+  ProgramVariants programs_;
+  Buffer records_;
+  Buffer numbers_;
+  Buffer uniforms_;
+  VertexArray vertices_;
+  const ProgramHandle* program_ = nullptr;
+  std::size_t instances_ = 0;
+};
+
+} // namespace vesper::gpu

@@ -1,0 +1,46 @@
+#include "vesper/plan/frame_plan.hpp"
+
+#include "vesper/atmosphere/clear_air.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesper {
+namespace {
+
+int copies_of(Projection projection) {
+  switch (projection) {
+  case Projection::equirectangular:
+    return 2;
+  case Projection::cubemap:
+    return 3;
+  default:
+    return 1;
+  }
+}
+
+} // namespace
+
+FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
+                     const FrameOptions& options) {
+  validate(view);
+  FramePlan plan;
+  plan.options = options;
+  plan.cheap_stars = sky.tier == Tier::cheap;
+  if (has(options.layers, Layer::stars)) {
+    const auto end = std::partition_point(stars.begin(), stars.end(), [&](const StarRecord& star) {
+      return static_cast<double>(star.illuminance) >= options.faintest_lux;
+    });
+    plan.star_count = static_cast<std::size_t>(end - stars.begin());
+  }
+  plan.star_copies = copies_of(view.projection);
+  if (options.air.extinction) {
+    plan.optical_depth = clear_air_optical_depth_xyzs();
+  }
+  const double height_km = std::max(0.0, sky.observer.height.to(kilometre));
+  const double ratio = f64::earth_radius_km / (f64::earth_radius_km + height_km);
+  plan.horizon_sin_altitude = -std::sqrt(1.0 - ratio * ratio);
+  return plan;
+}
+
+} // namespace vesper

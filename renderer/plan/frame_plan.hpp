@@ -1,0 +1,50 @@
+// What one frame has to draw.
+#pragma once
+
+#include "vesper/assets/star_catalogue.hpp"
+#include "vesper/base/vector.hpp"
+#include "vesper/plan/layers.hpp"
+#include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace vesper {
+
+/// How much of the air between the observer and the stars is modelled.
+struct AirOptions {
+  bool extinction = true;
+  bool scintillation = true;
+  /// Seconds over which scintillation is averaged: the eye's integration time by default; 0 for an instant.
+  double exposure_s = 0.1;
+  /// Entrance pupil in metres: the dark-adapted eye's by default.
+  double pupil_m = 0.007;
+};
+
+/// What a caller wants of a frame, beyond the sky and the view.
+struct FrameOptions {
+  LayerSet layers = all_layers();
+  AirOptions air;
+  std::uint32_t seed = 0;
+  std::uint32_t frame_number = 0;  ///< counts the frames of a sequence; the cheap scintillation's only clock
+  double control_magnitude = 4.0;  ///< of the cheap tier (Mueller et al. 2012, m_a)
+  double faintest_lux = 0.0;       ///< stars fainter than this above the atmosphere are left out
+};
+
+/// The decisions for one frame, ready for the passes.
+struct FramePlan {
+  FrameOptions options;
+  bool cheap_stars = false;    ///< Mueller's point-spread function, fades and scintillation
+  std::size_t star_count = 0;  ///< a prefix of the catalogue
+  int star_copies = 1;         ///< instances per star: 2 where the picture wraps round, 3 for the faces of a cube
+  Vec4 optical_depth{};        ///< of one zenith column, in X, Y, Z, S
+  double horizon_sin_altitude = 0.0; ///< of the geometric horizon, dipped by the observer's height
+};
+
+/// Decides what the frame must draw. `stars` are sorted by descending illuminance.
+[[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
+                                   const FrameOptions& options = {});
+
+} // namespace vesper

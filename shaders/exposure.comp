@@ -1,0 +1,16 @@
+// Plain exposure: frame in cd/m2 in, sRGB code values out.
+#include "prelude.glsl"
+#include "lib/display.glsl"
+
+layout(local_size_x = 16, local_size_y = 16) in;
+layout(binding = 0, rgba32f) uniform readonly image2D frame;
+layout(binding = 1, rgba8) uniform writeonly image2D pixels;
+layout(location = 0) uniform float white_cd_m2;
+
+void main() {
+  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(at, imageSize(frame)))) {
+    return;
+  }
+  imageStore(pixels, at, vec4(plain_exposure(imageLoad(frame, at).xyz, white_cd_m2), 1.0));
+}

@@ -1,0 +1,28 @@
+// From the frame's tristimulus values to the display.
+
+// CIE XYZ to linear sRGB (IEC 61966-2-1 primaries, D65 white).
+FN vec3 srgb_from_xyz(vec3 xyz) {
+  return vec3(Real(3.2404542) * xyz.x - Real(1.5371385) * xyz.y - Real(0.4985314) * xyz.z,
+              Real(-0.9692660) * xyz.x + Real(1.8760108) * xyz.y + Real(0.0415560) * xyz.z,
+              Real(0.0556434) * xyz.x - Real(0.2040259) * xyz.y + Real(1.0572252) * xyz.z);
+}
+
+// sRGB transfer function (IEC 61966-2-1), linear 0 to 1 in, code value 0 to 1 out.
+FN Real srgb_encode(Real linear) {
+  Real v = clamp(linear, Real(0.0), Real(1.0));
+  return v <= Real(0.0031308) ? Real(12.92) * v : Real(1.055) * pow(v, Real(1.0 / 2.4)) - Real(0.055);
+}
+
+// Brings a colour into the display's range: too bright ones are scaled by their largest component, which keeps the
+// hue of a star's core where clipping would bleach it; negative components (outside the gamut) are cut.
+FN vec3 fit_to_display(vec3 linear) {
+  vec3 positive = max(linear, vec3(Real(0.0), Real(0.0), Real(0.0)));
+  Real largest = max(positive.x, max(positive.y, positive.z));
+  return largest > Real(1.0) ? positive / largest : positive;
+}
+
+// Plain exposure: the luminance that becomes the display's white, in cd/m2, divides the frame.
+FN vec3 plain_exposure(vec3 xyz, Real white_cd_m2) {
+  vec3 linear = fit_to_display(srgb_from_xyz(xyz / white_cd_m2));
+  return vec3(srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z));
+}

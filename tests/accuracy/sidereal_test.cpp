@@ -1,0 +1,73 @@
+// Sidereal time and Delta-T against outside figures.
+#include "accuracy/truth.hpp"
+
+#include "vesper/astro/delta_t.hpp"
+#include "vesper/astro/earth_state.hpp"
+
+#include <gtest/gtest.h>
+
+namespace vesper {
+namespace {
+
+using test::ErrorSum;
+using test::TruthRow;
+
+TEST(SiderealTime, MatchesTheReference) {
+  const CsvTable table = test::truth_table("sidereal.csv");
+  ErrorSum apparent;
+  ErrorSum local;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    // The turn follows UT1 alone, which the table gives to 4e-5 s.
+    const double jd_ut1 = row.number("jd_ut1");
+    const double day = std::floor(jd_ut1);
+    const Instant t = instant_from({day, jd_ut1 - day + row.number("delta_t") / 86400.0}, {day, jd_ut1 - day});
+    apparent.add(
+        test::angle_difference(greenwich_apparent_sidereal_time_rad(t) * rad, row.degrees("gast_deg")).to(arcsec));
+    const EarthState earth = earth_state(t, {0.0 * deg, 90.0 * deg, 0.0 * metre});
+    local.add(
+        test::angle_difference(earth.local_sidereal_time_rad * rad, row.degrees("gast_deg") + 90.0 * deg).to(arcsec));
+  }
+  apparent.print("apparent sidereal time", "arcsec");
+  local.print("local apparent sidereal time", "arcsec");
+  ASSERT_EQ(apparent.count(), 60U);
+  EXPECT_LT(apparent.worst(), 0.001);
+  EXPECT_LT(local.worst(), 0.001);
+}
+
+TEST(DeltaT, MatchesTheReference) {
+  const CsvTable table = test::truth_table("deltat.csv");
+  ErrorSum observed;
+  ErrorSum historic;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    // The table's value for 2026.5 is a prediction; the observation is 0.037 s above it.
+    const bool prediction = row.number("year") > 2026.0;
+    const double error = delta_t_s({row.number("jd_tt"), 0.0}) - row.number("delta_t_s");
+    if (row.number("year") >= 1973.5 && !prediction) {
+      observed.add(error);
+    } else if (!prediction) {
+      historic.add(error);
+    }
+  }
+  observed.print("Delta-T against IERS, 1973.5 to 2026.0", "s");
+  historic.print("Delta-T against the splines, -500 to 1973", "s");
+  EXPECT_LT(observed.worst(), 0.005);
+  EXPECT_LT(historic.worst(), 0.05);
+  EXPECT_NEAR(delta_t_s({2461223.43, 0.0}), 69.1322, 0.05);
+}
+
+TEST(DeltaT, IsContinuousAndPlausibleOutside) {
+  // Steps of a tenth of a year across all borders: the rate stays below 0.05 s a step there.
+  for (const double jd : {2441714.5, 2461314.5}) {
+    EXPECT_NEAR(delta_t_s({jd - 0.01, 0.0}), delta_t_s({jd + 0.01, 0.0}), 1e-3) << jd;
+  }
+  const double year_minus_720 = 1721045.0 - 720 * 365.25;
+  EXPECT_NEAR(delta_t_s({year_minus_720 - 0.01, 0.0}), delta_t_s({year_minus_720 + 0.01, 0.0}), 0.01);
+  EXPECT_NEAR(delta_t_s({2469807.5, 0.0}), 71.0, 1.5); // 2050
+  EXPECT_GT(delta_t_s({0.0, 0.0}), 20371.0);
+  EXPECT_GT(delta_t_s({5373484.5, 0.0}), 100000.0);
+}
+
+} // namespace
+} // namespace vesper

@@ -1,0 +1,82 @@
+// Reading reference tables and summing up errors.
+#pragma once
+
+#include "vesper/astro/observer.hpp"
+#include "vesper/astro/time.hpp"
+#include "vesper/base/csv.hpp"
+#include "vesper/base/vector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace vesper::test {
+
+inline CsvTable truth_table(const std::string& name) {
+  const std::string path = std::string(VESPER_TEST_DATA) + "/astro/" + name;
+  return CsvTable(read_file(path), path);
+}
+
+/// A row of a reference table by column names.
+class TruthRow {
+public:
+  TruthRow(const CsvTable& table, std::size_t row) : table_(table), row_(row) {}
+  [[nodiscard]] double number(std::string_view column) const { return table_.number(row_, table_.column(column)); }
+  [[nodiscard]] Angle degrees(std::string_view column) const { return number(column) * deg; }
+  [[nodiscard]] std::string text(std::string_view column) const {
+    return std::string(table_.cell(row_, table_.column(column)));
+  }
+  /// The instant of `jd_tt` with the row's own Delta-T, so that an ephemeris is tested alone.
+  [[nodiscard]] Instant instant() const {
+    const double jd_tt = number("jd_tt");
+    const double day = std::floor(jd_tt);
+    return instant_from({day, jd_tt - day}, {day, jd_tt - day - number("delta_t") / 86400.0});
+  }
+  /// The instant of the stamp: time scales too.
+  [[nodiscard]] Instant stamp() const {
+    return parse_instant(text("utc"), text("scale") == "UT1" ? TimeScale::ut1 : TimeScale::utc);
+  }
+  [[nodiscard]] Observer observer() const { return {degrees("lat"), degrees("lon"), number("height_m") * metre}; }
+
+private:
+  const CsvTable& table_;
+  std::size_t row_;
+};
+
+/// The unit vector of a longitude and a latitude.
+inline Vec3 direction(Angle longitude, Angle latitude) {
+  const double c = std::cos(latitude.to(rad));
+  return {c * std::cos(longitude.to(rad)), c * std::sin(longitude.to(rad)), std::sin(latitude.to(rad))};
+}
+
+/// The angle between two directions, exact for small ones.
+inline Angle separation(const Vec3& a, const Vec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * rad;
+}
+
+/// a - b brought to -180 to 180 degrees.
+inline Angle angle_difference(Angle a, Angle b) { return std::remainder((a - b).to(deg), 360.0) * deg; }
+
+/// Worst and RMS of a set of errors.
+class ErrorSum {
+public:
+  void add(double error) {
+    worst_ = std::max(worst_, std::abs(error));
+    squares_ += error * error;
+    ++count_;
+  }
+  [[nodiscard]] double worst() const { return worst_; }
+  [[nodiscard]] double rms() const { return count_ == 0 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_)); }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  void print(const char* what, const char* unit) const {
+    std::printf("%s: worst %.6g %s, RMS %.6g %s, %zu rows\n", what, worst_, unit, rms(), unit, count_);
+  }
+
+private:
+  double worst_ = 0.0;
+  double squares_ = 0.0;
+  std::size_t count_ = 0;
+};
+
+} // namespace vesper::test

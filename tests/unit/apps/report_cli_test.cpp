@@ -1,0 +1,199 @@
+// vesper-report as its users call it.
+#include "unit/apps/run_command.hpp"
+
+#include "vesper/base/csv.hpp"
+#include "vesper/base/files.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace vesper {
+namespace {
+
+using nlohmann::json;
+using test::CommandResult;
+
+class ReportCli : public testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "vesper_report_" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] CommandResult report(const std::string& arguments) const {
+    return test::run_command(folder_, "vesper-report", arguments);
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    write_file_atomically(path(name), text);
+    return path(name);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] CsvTable table(const std::string& name) const { return {read_file(path(name)), name}; }
+
+private:
+  std::string folder_;
+};
+
+constexpr const char* place = " --latitude 50 --longitude 10 --height 100 ";
+
+TEST_F(ReportCli, ASceneAsJson) {
+  const CommandResult result = report(std::string("--json --time 2026-08-12T22:00:00Z") + place);
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, "");
+  const json scene = json::parse(result.out);
+  EXPECT_EQ(scene.at("time"), "2026-08-12T22:00:00.000Z");
+  EXPECT_EQ(scene.at("latitude_deg"), 50.0);
+  // A new Moon: the total solar eclipse was at 17:46 that day.
+  EXPECT_LT(scene.at("moon_illuminated_fraction").get<double>(), 0.005);
+  EXPECT_NEAR(scene.at("sun_distance_au").get<double>(), 1.0134, 0.001);
+  EXPECT_LT(scene.at("sun_altitude_deg").get<double>(), -10.0);
+}
+
+TEST_F(ReportCli, ASceneInWordsNamesWhatIsUp) {
+  const CommandResult result = report(std::string("--time 2026-01-15T22:00:00Z") + place);
+  ASSERT_EQ(result.status, 0) << result.err;
+  for (const char* expected : {"night", "Sirius", "Capella", "Betelgeuse", "Orion", "Cassiopeia"}) {
+    EXPECT_NE(result.out.find(expected), std::string::npos) << expected << "\n" << result.out;
+  }
+  for (const char* unexpected : {"Antares", "Scorpius", "the Southern Cross", "Vega"}) {
+    EXPECT_EQ(result.out.find(unexpected), std::string::npos) << unexpected << "\n" << result.out;
+  }
+}
+
+TEST_F(ReportCli, AssumedPlaceIsSaidOnceOnStandardError) {
+  const CommandResult said = report("--json --time 2026-08-12");
+  EXPECT_EQ(said.status, 0);
+  const std::size_t first = said.err.find("Greenwich");
+  EXPECT_NE(first, std::string::npos);
+  EXPECT_EQ(said.err.find("Greenwich", first + 1), std::string::npos);
+  EXPECT_EQ(report("--json --time 2026-08-12 --quiet").err, "");
+}
+
+TEST_F(ReportCli, HelpAndVersionSucceed) {
+  for (const char* arguments : {"--help", "--version", "stars --help"}) {
+    const CommandResult result = report(arguments);
+    EXPECT_EQ(result.status, 0) << arguments;
+    EXPECT_NE(result.out, "") << arguments;
+  }
+}
+
+TEST_F(ReportCli, BadOptionsExitWithTwoAndWriteNothing) {
+  const std::string out = path("out.csv");
+  const std::string in = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n");
+  for (const std::string& arguments :
+       {std::string("--latitude 95"), std::string("--time 2026-02-30"), std::string("--nonsense"),
+        std::string("--time"), std::string("--columns moon_colour --json"), std::string("stars"),
+        std::string("stars --ids HR99999"), std::string("stars --ids Nosuchstar"), std::string("stars --ids HR2491,"),
+        std::string("stars --ids Vega --batch " + in), "--json --batch " + in,
+        "--columns sun_azimuth_deg,sun_azimuth_deg --batch " + in, std::string("--scene /no/such/file.toml"),
+        std::string("unknown-subcommand")}) {
+    const CommandResult result = report(arguments + " -o " + out);
+    EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
+    EXPECT_NE(result.err, "") << arguments;
+    EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
+  }
+}
+
+TEST_F(ReportCli, BatchPassesOtherColumnsThroughAndKeepsOrder) {
+  const std::string in = write("in.csv", "name,height_m,longitude_deg,latitude_deg,utc\r\n"
+                                         "\"a, b\",0,10,50,2026-08-12T22:00:00Z\r\n"
+                                         "c,100,-70.5,-33,2030-01-01T00:00:00Z\r\n");
+  const CommandResult result =
+      report("--batch " + in + " -o " + path("out.csv") + " --columns moon_altitude_deg,sun_altitude_deg");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("1 stamps lie outside the leap seconds known (1972 to 2026), the first in line 3"),
+            std::string::npos)
+      << result.err;
+  const CsvTable out = table("out.csv");
+  EXPECT_EQ(out.header(), (std::vector<std::string_view>{"name", "height_m", "longitude_deg", "latitude_deg", "utc",
+                                                         "moon_altitude_deg", "sun_altitude_deg"}));
+  EXPECT_EQ(out.cell(0, 0), "a, b");
+  EXPECT_EQ(out.cell(1, 2), "-70.5");
+  const json scene =
+      json::parse(report("--json --time 2026-08-12T22:00:00Z --latitude 50 --longitude 10 --height 0").out);
+  EXPECT_EQ(out.number(0, out.column("sun_altitude_deg")), scene.at("sun_altitude_deg").get<double>());
+}
+
+TEST_F(ReportCli, BatchTakesJulianDates) {
+  const std::string in = write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n"
+                                         "2461265.416666666666,2461265.415865741,50,10,0\n");
+  const CommandResult result = report("--batch " + in + " --columns sun_azimuth_deg");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n"), std::string::npos);
+}
+
+TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
+  struct Case {
+    const char* text;
+    const char* expected;
+  };
+  for (const Case& c : {
+           Case{"", "the table is empty"},
+           Case{"utc,latitude_deg,longitude_deg\n2026-08-12,1,2\n", "there is no column 'height_m'"},
+           Case{"jd_tt,latitude_deg,longitude_deg,height_m\n2451545,1,2,3\n", "there is no column 'jd_ut1'"},
+           Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n2026-08-12,91,2,3\n",
+                "line 3, column latitude_deg: '91' is not in -90 to 90"},
+           Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,,3\n", "line 2, column longitude_deg"},
+           Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-32,1,2,3\n", "line 2, column utc"},
+           Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2\n", "line 2: 3 fields"},
+           Case{"jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2441545,1,2,3\n", "line 2, column jd_ut1"},
+           Case{"utc,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n2026-08-12,1,2,3,4\n",
+                "stands in the input already"},
+       }) {
+    const std::string in = write("in.csv", c.text);
+    const CommandResult result = report("--batch " + in + " -o " + path("out.csv"));
+    EXPECT_EQ(result.status, 1) << c.text << result.err;
+    EXPECT_NE(result.err.find(c.expected), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << c.text;
+  }
+  EXPECT_EQ(report("--batch /no/such/file.csv").status, 1);
+  const std::string good = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n");
+  EXPECT_EQ(report("--batch " + good + " -o /no/such/folder/out.csv").status, 1);
+  EXPECT_EQ(report("--batch " + good + " -o /dev/full").status, 1);
+}
+
+TEST_F(ReportCli, StarsById) {
+  const CommandResult result =
+      report(std::string("stars --ids 'HR2491,hd 172167,polaris' --time 2026-01-15T22:00:00Z") + place);
+  ASSERT_EQ(result.status, 0) << result.err;
+  write("out.csv", result.out);
+  const CsvTable out = table("out.csv");
+  ASSERT_EQ(out.row_count(), 3U);
+  EXPECT_EQ(out.cell(1, 0), "hd 172167");
+  EXPECT_NEAR(out.number(0, out.column("magnitude")), -1.46, 0.01);
+  EXPECT_NEAR(out.number(1, out.column("magnitude")), 0.03, 0.02); // Vega
+  EXPECT_NEAR(out.number(2, out.column("altitude_deg")), 50.0, 1.0);
+  EXPECT_NEAR(out.number(2, out.column("declination_deg")), 89.37, 0.02);
+  const CommandResult as_json = report(std::string("stars --json --ids HR2491 --time 2026-01-15T22:00:00Z") + place);
+  EXPECT_EQ(json::parse(as_json.out).at(0).at("altitude_deg").get<double>(), out.number(0, out.column("altitude_deg")));
+}
+
+TEST_F(ReportCli, StarsOfATable) {
+  const std::string header = "id,ra_deg,dec_deg,epoch_jyear,pm_ra_cosdec_mas_yr,pm_dec_mas_yr,parallax_mas,"
+                             "radial_velocity_km_s\n";
+  const std::string options = " --time 2026-01-15T22:00:00Z" + std::string(place);
+  const CommandResult good =
+      report("stars --catalogue " +
+             write("s.csv", header + "Sirius,101.28854105,-16.71314306,1991.25,-546.01,-1223.08,379.21,\n") + options);
+  ASSERT_EQ(good.status, 0) << good.err;
+  write("out.csv", good.out);
+  const CommandResult same = report("stars --ids Sirius" + options);
+  write("same.csv", same.out);
+  // The catalogue's own entry is a rounded one: within an arcsecond.
+  for (const char* column : {"right_ascension_deg", "declination_deg", "azimuth_deg", "altitude_deg"}) {
+    EXPECT_NEAR(table("out.csv").number(0, table("out.csv").column(column)),
+                table("same.csv").number(0, table("same.csv").column(column)), 1.5 / 3600.0)
+        << column;
+  }
+  const CommandResult bad = report("stars --catalogue " + write("s.csv", header + "x,10,95,2000,,,,\n") + options);
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_NE(bad.err.find("line 2, column dec_deg: '95' is not in -90 to 90"), std::string::npos) << bad.err;
+}
+
+} // namespace
+} // namespace vesper

@@ -1,0 +1,172 @@
+#include "common/scene_options.hpp"
+
+#include "common/program.hpp"
+#include "common/scene_option_table.hpp"
+
+#include "vesper/base/error.hpp"
+#include "vesper/base/files.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace vesper {
+namespace {
+
+/// A folder of its own that also stands in for the user's settings.
+class SceneOptionsTest : public testing::Test {
+protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              ("vesper_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "vesper");
+    ::setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string write(const std::string& name, const std::string& text) {
+    write_file_atomically(folder_ / name, text);
+    return (folder_ / name).string();
+  }
+
+  static SceneOptions resolve(std::vector<std::string> arguments) {
+    CLI::App app("test", "test");
+    prepare_program(app);
+    const SceneOptionSet options(app);
+    std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
+    app.parse(std::move(arguments));
+    return options.resolve(Assumptions::silent);
+  }
+
+  static std::string error_of(const std::vector<std::string>& arguments) {
+    try {
+      (void)resolve(arguments);
+    } catch (const Error& e) {
+      EXPECT_EQ(e.kind(), ErrorKind::argument);
+      return e.what();
+    }
+    return "";
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+TEST_F(SceneOptionsTest, DefaultsAreTheWholeSkyOverGreenwichNow) {
+  const SceneOptions scene = resolve({});
+  EXPECT_NEAR(scene.observer.latitude.to(deg), 51.4769, 1e-12);
+  EXPECT_NEAR(scene.observer.height.to(metre), 47.0, 1e-9);
+  EXPECT_EQ(scene.view.projection, Projection::fisheye);
+  EXPECT_NEAR(scene.view.azimuth.to(deg), 180.0, 1e-12);
+  EXPECT_NEAR(scene.view.altitude.to(deg), 90.0, 1e-12);
+  EXPECT_NEAR(scene.view.fov.to(deg), 180.0, 1e-12);
+  EXPECT_EQ(scene.view.width, 1024);
+  EXPECT_EQ(scene.view.height, 1024);
+  EXPECT_EQ(scene.layers, all_layers());
+  EXPECT_EQ(scene.tier, Tier::standard);
+  EXPECT_FALSE(scene.latitude_given);
+}
+
+TEST_F(SceneOptionsTest, CommandLineBeatsSceneFileBeatsSettings) {
+  write("vesper/settings.toml", "latitude = 1\nlongitude = 2.5\nheight = 3\nseed = 4\n");
+  const std::string scene_file =
+      write("scene.toml", "longitude = 20\nheight = 30.5\ntime = 2026-08-12T22:00:00Z\nlayers = [\"stars\"]\n");
+  const SceneOptions scene = resolve({"--height", "300", "--scene", scene_file});
+  EXPECT_NEAR(scene.observer.latitude.to(deg), 1.0, 1e-12);
+  EXPECT_NEAR(scene.observer.longitude.to(deg), 20.0, 1e-12);
+  EXPECT_NEAR(scene.observer.height.to(metre), 300.0, 1e-12);
+  EXPECT_EQ(scene.seed, 4U);
+  EXPECT_EQ(to_iso8601(scene.instant), "2026-08-12T22:00:00.000Z");
+  EXPECT_TRUE(has(scene.layers, Layer::stars));
+  EXPECT_FALSE(has(scene.layers, Layer::ground));
+}
+
+TEST_F(SceneOptionsTest, TheLastOfRepeatedOptionsWins) {
+  EXPECT_NEAR(resolve({"--latitude", "10", "--latitude", "-20"}).observer.latitude.to(deg), -20.0, 1e-12);
+}
+
+TEST_F(SceneOptionsTest, DependentDefaultsFollowTheProjection) {
+  EXPECT_NEAR(resolve({"--projection", "perspective"}).view.fov.to(deg), 60.0, 1e-12);
+  EXPECT_EQ(resolve({"--projection", "cubemap"}).view.height, 6 * 1024);
+  EXPECT_EQ(resolve({"--projection", "cubemap", "--size", "256x256"}).view.height, 1536);
+  EXPECT_EQ(resolve({"--projection", "cubemap", "--size", "256x1536"}).view.width, 256);
+}
+
+TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
+  struct Case {
+    std::vector<std::string> arguments;
+    const char* in_message;
+  };
+  const std::vector<Case> cases{
+      {{"--latitude", "90.1"}, "--latitude: '90.1' is not allowed; allowed: -90 to 90"},
+      {{"--latitude", "north"}, "--latitude: 'north'"},
+      {{"--latitude", "nan"}, "--latitude: 'nan'"},
+      {{"--latitude", ""}, "--latitude: ''"},
+      {{"--longitude", "-181"}, "-180 to 360"},
+      {{"--height", "1e6"}, "-500 to 100000"},
+      {{"--azimuth", "361"}, "-360 to 360"},
+      {{"--altitude", "91"}, "-90 to 90"},
+      {{"--projection", "mercator"}, "perspective, fisheye, stereographic, equirectangular, cubemap"},
+      {{"--fov", "170", "--projection", "perspective"}, "0 < fov < 170"},
+      {{"--fov", "0"}, "0 < fov <= 360"},
+      {{"--fov", "361"}, "0 < fov <= 360"},
+      {{"--fov", "350", "--projection", "stereographic"}, "0 < fov < 350"},
+      {{"--size", "0x10"}, "1 to 16384"},
+      {{"--size", "16385x10"}, "1 to 16384"},
+      {{"--size", "100"}, "WIDTHxHEIGHT"},
+      {{"--size", "100x100x100"}, "WIDTHxHEIGHT"},
+      {{"--size", "100x200", "--projection", "cubemap"}, "Wx6W"},
+      {{"--tier", "best"}, "cheap, default, reference"},
+      {{"--layers", "stars,moonbase"}, "stars, ground"},
+      {{"--layers", "stars,"}, "stars, ground"},
+      {{"--seed", "-1"}, "0 to 18446744073709551615"},
+      {{"--time-scale", "gps"}, "utc, ut1, tt"},
+      {{"--time", "2026-02-30"}, "month 2 has no day 30"},
+  };
+  for (const Case& c : cases) {
+    EXPECT_NE(error_of(c.arguments).find(c.in_message), std::string::npos)
+        << c.arguments[0] << " " << c.arguments[1] << ": " << error_of(c.arguments);
+  }
+}
+
+TEST_F(SceneOptionsTest, FaultsInFilesNameFileAndLine) {
+  const auto error_in = [&](const std::string& text) { return error_of({"--scene", write("s.toml", text)}); };
+  EXPECT_NE(error_in("seed = 1\nlatitud = 5\n").find("s.toml: line 2, column 1: key 'latitud' is unknown"),
+            std::string::npos);
+  EXPECT_NE(error_in("latitude = \"5\"\n").find("line 1"), std::string::npos);
+  EXPECT_NE(error_in("latitude = \"5\"\n").find("It takes a number"), std::string::npos);
+  EXPECT_NE(error_in("projection = 5\n").find("It takes a string"), std::string::npos);
+  EXPECT_NE(error_in("seed = 1.5\n").find("It takes an integer"), std::string::npos);
+  EXPECT_NE(error_in("layers = [1]\n").find("It takes a string or an array of strings"), std::string::npos);
+  EXPECT_NE(error_in("\n\nlatitude = 91\n").find("line 3"), std::string::npos);
+  EXPECT_NE(error_in("latitude = 91\n").find("key 'latitude': '91' is not allowed"), std::string::npos);
+  EXPECT_NE(error_in("latitude == 5\n").find("line 1"), std::string::npos);
+  EXPECT_NE(error_in("[view]\nfov = 5\n").find("key 'view' is unknown"), std::string::npos);
+  EXPECT_NE(error_of({"--scene", "/no/such/scene.toml"}).find("/no/such/scene.toml: cannot be opened"),
+            std::string::npos);
+}
+
+TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
+  std::string text;
+  for (const SceneOptionDescription& option : scene_option_table()) {
+    text += std::string(option.name) + " = " +
+            (option.name == "projection"   ? "\"stereographic\""
+             : option.name == "size"       ? "\"640x480\""
+             : option.name == "tier"       ? "\"cheap\""
+             : option.name == "layers"     ? "\"ground\""
+             : option.name == "time"       ? "2026-08-12"
+             : option.name == "time-scale" ? "\"tt\""
+                                           : "7") +
+            "\n";
+  }
+  const SceneOptions scene = resolve({"--scene", write("all.toml", text)});
+  EXPECT_EQ(scene.view.projection, Projection::stereographic);
+  EXPECT_EQ(scene.view.width, 640);
+  EXPECT_EQ(scene.tier, Tier::cheap);
+  EXPECT_EQ(scene.seed, 7U);
+  EXPECT_EQ(scene.instant.tt.days_since({2461264.5, 0.0}), 0.0);
+}
+
+} // namespace
+} // namespace vesper
