@@ -67,7 +67,7 @@ bool is_positionless(unsigned hr) {
 
 /// Only printable ASCII is a catalogue. Names the column of the first other byte.
 void require_text(const FixedWidthRecord& record, std::string_view line, const std::string& file) {
-  const auto found = std::find_if(line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; });
+  const auto* found = std::find_if(line.begin(), line.end(), [](char c) { return c < ' ' || c > '~'; });
   if (found != line.end()) {
     fail_file(file, fmt::format("line {}, column {}", record.line(), found - line.begin() + 1),
               fmt::format("byte 0x{:02x} is not text: not a star catalogue", static_cast<unsigned char>(*found)));

@@ -9,7 +9,8 @@
 
 #include <csignal>
 
-int main(int argc, char** argv) {
+// Only a lack of memory while the options are set up can leave this function.
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   // A file that grows past the limit of the process must be an error message, not the end of the program with a
   // temporary file left behind.
   std::signal(SIGXFSZ, SIG_IGN);

@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -46,6 +47,8 @@ int run_program(int argc, char** argv, CLI::App& app, const std::function<void()
     std::fprintf(stderr, "%s: %s. See %s --help\n", app.get_name().c_str(), e.what(), app.get_name().c_str());
     return bad_options;
   }
+  // A file that grows past the limit of the process must be an error message, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     start_logging(app);
     work();

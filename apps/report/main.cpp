@@ -102,7 +102,8 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
 } // namespace
 } // namespace vesper
 
-int main(int argc, char** argv) {
+// Only a lack of memory while the options are set up can leave this function.
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   using namespace vesper;
   CLI::App app("What the sky is at a place and time: positions of Sun, Moon and stars", "vesper-report");
   prepare_program(app);

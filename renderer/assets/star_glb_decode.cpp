@@ -33,7 +33,7 @@ public:
     StarCatalogue catalogue;
     const Json& asset = object(root, "asset", "");
     if (const std::string version = text(asset, "version", "asset"); version != "2.0") {
-      fail("asset.version", "glTF version \"" + version + "\", not \"2.0\"");
+      fail("asset.version", "glTF version " + version + ", not 2.0");
     }
     const Json& asset_extras = object(asset, "extras", "asset");
     catalogue.provenance = provenance(object(asset_extras, "provenance", "asset.extras"));

@@ -103,8 +103,8 @@ double evaluate(const Spline& s, double year) {
 double year_of(double jd) { return (jd - 1721045.0) / 365.25; }
 
 double historic(double year) {
-  const auto after = std::upper_bound(splines.begin(), splines.end(), year,
-                                      [](double y, const Spline& spline) { return y < spline.year0; });
+  const auto* const after = std::upper_bound(splines.begin(), splines.end(), year,
+                                             [](double y, const Spline& spline) { return y < spline.year0; });
   const Spline& spline = *(after == splines.begin() ? after : after - 1);
   double value = evaluate(spline, year);
   if (&spline == &splines.back()) {

@@ -5,6 +5,7 @@
 // given star, seed and instant on any machine, and can be averaged over an exposure exactly.
 
 const int scintillation_ripples = 16;
+const Real scintillation_frequency_unit = Real(3.0517578125e-5); // 2^-15 Hz
 
 // Integral of C_n^2(h) h^(5/6) dh, m^(7/6), of the Hufnagel-Valley profile with an upper wind of 14 m/s and a ground
 // term of 1.7e-14 m^(-2/3): the zenith then scintillates by 0.38 rms at 555 nm, inside the range 0.2 to 0.4 that
@@ -76,32 +77,34 @@ FN vec4 scintillation(uint key, PReal seconds, Real sin_altitude, Real exposure_
   }
   Real corner = turbulence_wind_m_s / sqrt(Real(2.0) * pi * wavelength.y * turbulence_height_m * sec_z);
 
-  // Ripples at fixed log-spaced frequencies from 0.4 to 400 Hz (each a little off, by star), so that their phases do
-  // not drift as the star's altitude changes; the altitude only shifts the power among them.
-  Real ratio = Real(1.5848931924611136); // 1000^(1/15)
+  // Ripples at fixed log-spaced frequencies from 0.4 to 460 Hz (each a little off, by star), so that their phases do
+  // not drift as the star's altitude changes; the altitude only shifts the power among them. Frequencies are whole
+  // multiples of 2^-15 Hz, so that every machine gets the same phase at any date.
   Real total = Real(0.0);
-  Real frequency = Real(0.4);
+  uint band = 13107u;
   for (int k = 0; k < scintillation_ripples; ++k) {
-    total += scintillation_power(frequency, corner);
-    frequency *= ratio;
+    total += scintillation_power(Real(band) * scintillation_frequency_unit, corner);
+    band = band / 5u * 8u;
   }
   vec4 log_intensity = vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
-  frequency = Real(0.4);
+  band = 13107u;
   for (int k = 0; k < scintillation_ripples; ++k) {
     uint ripple = hash_pair(key, uint(k));
-    Real own = frequency * (Real(0.85) + Real(0.3) * hash_unit(ripple));
+    uint tenth = band / 10u;
+    uint number = band - tenth + ripple % (2u * tenth);
+    Real own = Real(number) * scintillation_frequency_unit;
     Real start = hash_unit(hash_uint(ripple + 1u));
     // Direction of the ripple's wave vector against the wind, within 60 degrees of it.
     Real heading = tan((Real(2.0) * hash_unit(hash_uint(ripple + 2u)) - Real(1.0)) * pi / Real(3.0));
-    Real phase = Real(fract(PReal(own) * seconds)) + start;
-    Real amplitude = sqrt(Real(2.0) * scintillation_power(frequency, corner) / total) *
+    Real phase = Real(fract(PReal(number) * PReal(scintillation_frequency_unit) * seconds)) + start;
+    Real amplitude = sqrt(Real(2.0) * scintillation_power(Real(band) * scintillation_frequency_unit, corner) / total) *
                      unnormalised_sinc(pi * own * exposure_s);
     Real shift = own / turbulence_wind_m_s * heading;
     for (int c = 0; c < 4; ++c) {
       Real a = amplitude * log_sigma[c];
       log_intensity[c] += a * cos(Real(2.0) * pi * (phase + shift * beam[c])) - log_bessel_i0(a);
     }
-    frequency *= ratio;
+    band = band / 5u * 8u;
   }
   return exp(log_intensity);
 }

@@ -31,13 +31,13 @@ FN Real magnitude_of(Real illuminance_lux) {
 // Standard deviation of the smallest spread, pixels: the brightest pixel then changes by no more than a factor of 1.5
 // while a star moves across the grid.
 const Real smallest_psf_sigma = Real(0.8);
-const Real largest_psf_sigma = Real(2.8);
+const Real largest_psf_sigma = Real(2.2);
 
 // Standard deviation by brightness, pixels. Tuned by eye so that the constellations read as on a printed chart: each
-// magnitude brighter than V = 4 adds 0.33 pixels.
+// magnitude brighter than V = 4 adds 0.25 pixels.
 FN Real psf_sigma(Real illuminance_lux) {
   Real excess = Real(4.0) - magnitude_of(illuminance_lux);
-  return clamp(smallest_psf_sigma + Real(0.33) * max(excess, Real(0.0)), smallest_psf_sigma, largest_psf_sigma);
+  return clamp(smallest_psf_sigma + Real(0.25) * max(excess, Real(0.0)), smallest_psf_sigma, largest_psf_sigma);
 }
 
 // Where the spread is cut, in standard deviations: at the same luminance for all stars, that of the peak of one of

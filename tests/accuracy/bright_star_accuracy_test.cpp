@@ -67,7 +67,7 @@ TEST(BrightStarAccuracy, PlacesMotionsAndMagnitudesMatchHipparcos) {
     EXPECT_LT(error, 2.0) << "HR " << hr;
     place.add(error);
     motion.add((glm::length(to_vec3(star.proper_motion) - rate) * rad).to(milliarcsec));
-    const double v = default_star_catalogue().identities[index].magnitude;
+    const auto v = static_cast<double>(default_star_catalogue().identities[index].magnitude);
     magnitude.add(v - number(row, "v_magnitude"));
   }
   std::printf("%d bright stars against Hipparcos: place worst %.2f\", RMS %.2f\"; proper motion worst %.0f, RMS %.0f "

@@ -15,7 +15,7 @@ namespace vesper::test {
 
 inline CsvTable truth_table(const std::string& name) {
   const std::string path = std::string(VESPER_TEST_DATA) + "/astro/" + name;
-  return CsvTable(read_file(path), path);
+  return {read_file(path), path};
 }
 
 /// A row of a reference table by column names.

@@ -30,8 +30,8 @@ struct FluxStatistics {
 /// One frame of isolated random stars, one per cell of a grid, each summed over its cell.
 void add_grid_frame(gpu::Renderer& renderer, const View& view, std::mt19937_64& random, int stars_wanted,
                     FluxStatistics& statistics) {
-  constexpr int cell = 20;
-  constexpr double margin = 8.5; // the largest spread and a pixel
+  constexpr int cell = 28;
+  constexpr double margin = 12.0; // the largest spread and a pixel
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   struct Placed {
     int column;

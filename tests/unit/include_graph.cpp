@@ -68,8 +68,13 @@ std::string tree_path(const std::string& includer, const std::string& include) {
     return include.substr(std::string("vesper/").size());
   }
   const std::string floor = floor_of_include(include);
-  if (floor.empty() && include.starts_with("common/")) {
-    return "apps/" + include;
+  if (floor.empty() && include.find('/') != std::string::npos && !include.starts_with('.')) {
+    // Programs and tests name their files from apps/ and tests/.
+    for (const char* root : {"apps/", "tests/"}) {
+      if (includer.starts_with(root)) {
+        return (include.starts_with("common/") ? "apps/" : root) + include;
+      }
+    }
   }
   if (floor.empty()) {
     return (fs::path(includer).parent_path() / include).lexically_normal().generic_string();
@@ -232,7 +237,7 @@ std::vector<std::string> upward_includes(const Sources& sources) {
 std::vector<std::string> graphics_includes(const Sources& sources) {
   std::vector<std::string> breaches;
   for (const SourceFile& source : sources) {
-    if (part_of_house(source.path) == "gpu") {
+    if (starts_with_any(source.path, {"renderer/gpu/", "tests/render/"})) {
       continue;
     }
     for (const std::string& include : source.includes) {

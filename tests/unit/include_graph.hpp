@@ -33,7 +33,7 @@ using FloorTargets = std::map<std::string, FloorTarget>;
 /// A floor includes itself and lower floors only; floors of one height do not know each other; nobody includes a
 /// program or a test but programs and tests.
 [[nodiscard]] std::vector<std::string> upward_includes(const Sources& sources);
-/// Only renderer/gpu and the tests that evaluate shaders know OpenGL.
+/// Only renderer/gpu knows OpenGL, and tests/render, where shader functions are evaluated one by one.
 [[nodiscard]] std::vector<std::string> graphics_includes(const Sources& sources);
 /// No file includes itself, by whatever way round.
 [[nodiscard]] std::vector<std::string> include_cycles(const Sources& sources);

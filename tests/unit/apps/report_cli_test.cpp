@@ -83,6 +83,7 @@ TEST_F(ReportCli, HelpAndVersionSucceed) {
 
 TEST_F(ReportCli, BadOptionsExitWithTwoAndWriteNothing) {
   const std::string out = path("out.csv");
+  const std::string output = " -o " + out;
   const std::string in = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n");
   for (const std::string& arguments :
        {std::string("--latitude 95"), std::string("--time 2026-02-30"), std::string("--nonsense"),
@@ -91,7 +92,7 @@ TEST_F(ReportCli, BadOptionsExitWithTwoAndWriteNothing) {
         std::string("stars --ids Vega --batch " + in), "--json --batch " + in,
         "--columns sun_azimuth_deg,sun_azimuth_deg --batch " + in, std::string("--scene /no/such/file.toml"),
         std::string("unknown-subcommand")}) {
-    const CommandResult result = report(arguments + " -o " + out);
+    const CommandResult result = report(arguments + output);
     EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
     EXPECT_NE(result.err, "") << arguments;
     EXPECT_FALSE(std::filesystem::exists(out)) << arguments;

@@ -1,0 +1,218 @@
+// Frames as a whole: layers, strips, display mapping, tiers, scintillation as drawn.
+#include "render/render_fixture.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace vesper::test {
+namespace {
+
+using Frames = RenderTest;
+
+SkyState summer_night() {
+  return sky_state(parse_instant("2026-08-12T22:00:00Z"), {51.4769 * deg, 0.0 * deg, 47.0 * metre});
+}
+
+/// A synthetic sky of many stars all over the sphere, sorted.
+StarCatalogue random_catalogue(std::size_t count) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<StarRecord> stars;
+  for (std::size_t i = 0; i < count; ++i) {
+    stars.push_back(white_star(glm::normalize(Vec3(normal(random), normal(random), normal(random))),
+                               2.54e-6 * std::pow(10.0, -0.4 * (8.0 * unit(random) - 1.5))));
+  }
+  std::sort(stars.begin(), stars.end(), [](const auto& a, const auto& b) { return a.illuminance > b.illuminance; });
+  return catalogue_of(std::move(stars));
+}
+
+double total_light(const gpu::Frame& frame) {
+  double sum = 0.0;
+  for (const float value : frame.xyzs) {
+    sum += static_cast<double>(value);
+  }
+  return sum;
+}
+
+TEST_F(Frames, StripsMakeNoDifference) {
+  const StarCatalogue catalogue = random_catalogue(3000);
+  renderer.load(catalogue);
+  const SkyState sky = summer_night();
+  for (const Projection projection : {Projection::fisheye, Projection::cubemap, Projection::equirectangular}) {
+    View view;
+    view.projection = projection;
+    view.width = 160;
+    view.height = projection == Projection::cubemap ? 960 : 160;
+    const FramePlan plan = plan_frame(sky, view, catalogue.stars);
+    renderer.limit_strip_rows(0);
+    const gpu::Frame whole = renderer.render(sky, view, plan);
+    renderer.limit_strip_rows(37);
+    const gpu::Frame strips = renderer.render(sky, view, plan);
+    EXPECT_GT(total_light(whole), 0.0);
+    EXPECT_EQ(whole.xyzs, strips.xyzs);
+  }
+}
+
+TEST_F(Frames, RepeatedFramesAreIdentical) {
+  const StarCatalogue catalogue = random_catalogue(9000);
+  renderer.load(catalogue);
+  const SkyState sky = summer_night();
+  const View view;
+  const FramePlan plan = plan_frame(sky, view, catalogue.stars);
+  EXPECT_EQ(renderer.render(sky, view, plan).xyzs, renderer.render(sky, view, plan).xyzs);
+}
+
+TEST_F(Frames, FisheyeIsBlackOutsideItsCircle) {
+  const StarCatalogue catalogue = random_catalogue(9000);
+  renderer.load(catalogue);
+  View view;
+  view.width = 300;
+  view.height = 200;
+  view.fov = 120.0 * deg;
+  const SkyState sky = still_sky();
+  const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, catalogue.stars, bare_stars()));
+  double outside = 0.0;
+  double inside = 0.0;
+  for (int row = 0; row < 200; ++row) {
+    for (int column = 0; column < 300; ++column) {
+      const double radius = std::hypot(column + 0.5 - 150.0, row + 0.5 - 100.0);
+      (radius > 100.0 ? outside : inside) += static_cast<double>(frame.pixel(column, row)[1]);
+    }
+  }
+  EXPECT_EQ(outside, 0.0);
+  EXPECT_GT(inside, 0.0);
+}
+
+TEST_F(Frames, TheGroundHidesWhatIsBelowTheHorizonAndNothingElse) {
+  const StarCatalogue catalogue = random_catalogue(9000);
+  renderer.load(catalogue);
+  View view;
+  view.projection = Projection::equirectangular;
+  view.altitude = 0.0 * deg;
+  view.width = 720;
+  view.height = 360;
+  const SkyState sky = still_sky();
+  FrameOptions options = bare_stars();
+  const gpu::Frame open = renderer.render(sky, view, plan_frame(sky, view, catalogue.stars, options));
+  options.layers = all_layers();
+  const gpu::Frame grounded = renderer.render(sky, view, plan_frame(sky, view, catalogue.stars, options));
+  for (int row = 0; row < 360; ++row) {
+    for (int column = 0; column < 720; ++column) {
+      const float expected = row < 179 ? open.pixel(column, row)[1] : 0.0F;
+      if (row < 179 || row > 180) {
+        ASSERT_EQ(grounded.pixel(column, row)[1], expected) << column << " " << row;
+      }
+    }
+  }
+}
+
+TEST_F(Frames, TheHorizonDipsForAHighObserver) {
+  SkyState sky = still_sky();
+  sky.observer.height = 10000.0 * metre;
+  const FramePlan plan = plan_frame(sky, View(), {}, FrameOptions());
+  // Dip of the geometric horizon from 10 km: 3.2 degrees.
+  EXPECT_NEAR(std::asin(plan.horizon_sin_altitude) * 180.0 / std::numbers::pi, -3.208, 0.005);
+}
+
+TEST_F(Frames, AFifthMagnitudeStarShowsInTheDefaultPicture) {
+  View view;
+  view.width = view.height = 512;
+  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(view));
+  int faintest = 255;
+  for (const Vec2 pixel : {Vec2(256.5, 256.5), Vec2(256.0, 256.0), Vec2(100.3, 300.8), Vec2(30.0, 250.2)}) {
+    const std::vector<StarRecord> stars{white_star(direction_at(view, pixel), 2.54e-8)};
+    renderer.load(catalogue_of(stars));
+    const SkyState sky = still_sky();
+    const gpu::Frame frame =
+        renderer.render(sky, view, plan_frame(sky, view, stars, bare_stars()), {.xyzs = false, .mapping = &exposure});
+    int brightest = 0;
+    for (std::size_t i = 0; i < frame.rgba.size(); i += 4) {
+      brightest = std::max<int>(brightest, frame.rgba[i + 1]);
+    }
+    faintest = std::min(faintest, brightest);
+  }
+  std::printf("V = 5 in 512 x 512: brightest pixel at least %d of 255\n", faintest);
+  EXPECT_GE(faintest, 80);
+}
+
+TEST_F(Frames, ExtinctionDimsByTheStatedOpticalDepth) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 10.0 * deg;
+  view.width = view.height = 64;
+  for (const double altitude : {90.0, 30.0, 10.0, 1.0}) {
+    view.altitude = altitude * deg;
+    const std::vector<StarRecord> stars{white_star(direction_at(view, {32.2, 31.7}), 2.54e-7)};
+    renderer.load(catalogue_of(stars));
+    const SkyState sky = still_sky();
+    FrameOptions options = bare_stars();
+    const gpu::Frame clear = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+    options.air.extinction = true;
+    const FramePlan plan = plan_frame(sky, view, stars, options);
+    const gpu::Frame dimmed = renderer.render(sky, view, plan);
+    for (int channel = 0; channel < 4; ++channel) {
+      const double ratio = illuminance_in(dimmed, view, 0, 0, 64, 64, channel) /
+                           illuminance_in(clear, view, 0, 0, 64, 64, channel);
+      const double path = f64::optical_path(static_cast<double>(stars[0].position[2]), 0.0);
+      EXPECT_NEAR(ratio, std::exp(-plan.optical_depth[channel] * path), 2.0e-3 * ratio) << altitude << " " << channel;
+    }
+  }
+}
+
+TEST_F(Frames, ScintillationIsAFunctionOfStarTimeAndSeed) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 10.0 * deg;
+  view.altitude = 20.0 * deg;
+  view.width = view.height = 64;
+  const std::vector<StarRecord> stars{white_star(direction_at(view, {32.2, 31.7}), 2.54e-7)};
+  StarCatalogue catalogue = catalogue_of(stars);
+  catalogue.identities[0].hr = 2491;
+  renderer.load(catalogue);
+  FrameOptions options = bare_stars();
+  options.air.scintillation = true;
+  options.air.exposure_s = 0.0;
+  options.seed = 5;
+  const auto light_at = [&](double seconds) {
+    SkyState sky = still_sky();
+    sky.seconds = seconds;
+    const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+    return illuminance_in(frame, view, 0, 0, 64, 64) / static_cast<double>(stars[0].illuminance);
+  };
+  const double seconds = 8.4e8 + 0.123;
+  const double first = light_at(seconds);
+  const unsigned key = f64::hash_pair(2491U, 5U);
+  EXPECT_NEAR(first, f64::scintillation(key, seconds, std::sin((20.0 * deg).to(rad)), 0.0, 0.007).y, 0.01 * first);
+  EXPECT_EQ(light_at(seconds), first);
+  EXPECT_NEAR(light_at(seconds + 1.0e-5), first, 0.03 * first);
+  EXPECT_GT(std::abs(light_at(seconds + 10.0) - first), 1.0e-4);
+  options.seed = 6;
+  EXPECT_GT(std::abs(light_at(seconds) - first), 1.0e-4);
+}
+
+TEST_F(Frames, TheCheapTierConservesItsCoreAndAddsGlareToBrightStarsOnly) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 20.0 * deg;
+  view.width = view.height = 256;
+  SkyState sky = still_sky();
+  sky.tier = Tier::cheap;
+  sky.sun.altitude = -30.0 * deg;
+  const auto light_of = [&](double magnitude) {
+    const std::vector<StarRecord> stars{
+        white_star(direction_at(view, {128.3, 127.6}), 2.54e-6 * std::pow(10.0, -0.4 * magnitude))};
+    renderer.load(catalogue_of(stars));
+    const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, stars, bare_stars()));
+    return illuminance_in(frame, view, 0, 0, 256, 256) / static_cast<double>(stars[0].illuminance);
+  };
+  // Point-sampled T(l) of radius 2 px holds its volume to a few percent; that is what makes it the cheap tier.
+  EXPECT_NEAR(light_of(5.0), 1.0, 0.05);
+  EXPECT_GT(light_of(0.0), 1.1);
+  // By day the stars fade.
+  sky.sun.altitude = 40.0 * deg;
+  EXPECT_LT(light_of(5.0), 0.02);
+}
+
+} // namespace
+} // namespace vesper::test

@@ -1,0 +1,219 @@
+// shaders/lib on the GPU against the same text compiled as C++ in single precision.
+#include "render/render_fixture.hpp"
+
+#include <epoxy/gl.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <unistd.h>
+
+namespace vesper::test {
+namespace {
+
+using Inputs = std::vector<glm::vec4>;
+
+/// Evaluates a GLSL expression of `vec4 v` for every input and returns the vec4 results.
+std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inputs& inputs) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("vesper_harness_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "harness.comp") << R"(
+#include "prelude.glsl"
+#include "lib/hash.glsl"
+#include "lib/star_place.glsl"
+#include "lib/projection.glsl"
+#include "lib/star_psf.glsl"
+#include "lib/extinction.glsl"
+#include "lib/scintillation.glsl"
+#include "lib/display.glsl"
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer In { vec4 inputs[]; };
+layout(std430, binding = 1) writeonly buffer Out { vec4 outputs[]; };
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= uint(inputs.length())) { return; }
+  vec4 v = inputs[i];
+  outputs[i] = )" << expression << ";\n}\n";
+  gpu::ProgramHandle program;
+  try {
+    program = gpu::build_program(gpu::ShaderLibrary(folder), {"harness.comp"});
+  } catch (...) {
+    std::filesystem::remove_all(folder);
+    throw;
+  }
+  std::filesystem::remove_all(folder);
+
+  const gpu::Buffer in = gpu::make_static_buffer(std::as_bytes(std::span(inputs)));
+  const gpu::Buffer out = gpu::make_dynamic_buffer(inputs.size() * sizeof(glm::vec4));
+  glUseProgram(program.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out.name());
+  glDispatchCompute(static_cast<GLuint>((inputs.size() + 63) / 64), 1, 1);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  std::vector<glm::vec4> results(inputs.size());
+  glGetNamedBufferSubData(out.name(), 0, static_cast<GLsizeiptr>(results.size() * sizeof(glm::vec4)), results.data());
+  gpu::require_no_error("evaluating a shader function");
+  return results;
+}
+
+/// Points of a grid over a box, `steps` along each axis that has an extent.
+Inputs grid(const glm::vec4& low, const glm::vec4& high, int steps) {
+  Inputs points;
+  const auto count = [&](int axis) { return low[axis] == high[axis] ? 1 : steps; };
+  const auto at = [&](int axis, int i) {
+    return count(axis) == 1 ? low[axis]
+                            : low[axis] + (high[axis] - low[axis]) * static_cast<float>(i) / static_cast<float>(steps - 1);
+  };
+  for (int a = 0; a < count(0); ++a) {
+    for (int b = 0; b < count(1); ++b) {
+      for (int c = 0; c < count(2); ++c) {
+        for (int d = 0; d < count(3); ++d) {
+          points.emplace_back(at(0, a), at(1, b), at(2, c), at(3, d));
+        }
+      }
+    }
+  }
+  return points;
+}
+
+/// A function of shaders/lib: its GLSL expression, its C++ twin, where it is compared and how closely.
+struct FunctionCase {
+  std::string name;
+  std::string glsl;
+  std::function<glm::vec4(const glm::vec4&)> cpp;
+  glm::vec4 low;
+  glm::vec4 high;
+  int steps;
+  float tolerance; ///< relative to the larger of 1e-3 of the largest result and the result
+};
+
+glm::vec4 scalar(float x) { return glm::vec4(x, 0.0F, 0.0F, 0.0F); }
+
+f32::PixelFrame test_frame(int kind) { return {kind, glm::vec2(1024.0F, kind == 4 ? 6144.0F : 768.0F), 512.0F}; }
+
+glm::vec4 unprojected(const glm::vec4& v, int kind) {
+  glm::vec3 direction;
+  f32::unproject(glm::vec2(v), test_frame(kind), direction);
+  return {direction, 0.0F};
+}
+
+/// An expression needs a function to receive an output parameter; GLSL has no lambdas.
+std::string unproject_glsl(int kind) {
+  return "vec4(0.0);\n  vec3 d;\n  unproject(v.xy, PixelFrame(" + std::to_string(kind) + ", vec2(1024.0, " +
+         (kind == 4 ? "6144.0" : "768.0") + "), 512.0), d);\n  outputs[i] = vec4(d, 0.0)";
+}
+
+std::vector<FunctionCase> function_cases() {
+  std::vector<FunctionCase> cases{
+      {"hash", "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
+       [](const glm::vec4& v) {
+         return scalar(f32::hash_unit(f32::hash_pair(static_cast<unsigned>(v.x), static_cast<unsigned>(v.y))));
+       },
+       {0, 0, 0, 0}, {9000, 1000, 0, 0}, 40, 0.0F},
+      {"arc_tangent", "vec4(float(signed_arc_tangent(double(v.x), double(v.y))), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(static_cast<float>(f64::signed_arc_tangent(v.x, v.y))); },
+       {-1, -1, 0, 0}, {1, 1, 0, 0}, 41, 1.0e-6F},
+      {"psf_profile", "vec4(psf_profile(v.xy), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::psf_profile(glm::vec2(v))); }, {-4, -4, 0, 0}, {4, 4, 0, 0}, 33,
+       1.0e-5F},
+      {"psf_axis_sum", "vec4(psf_axis_sum(v.x, -8.0, 8.0, v.y), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::psf_axis_sum(v.x, -8.0F, 8.0F, v.y)); }, {-1, 0.8F, 0, 0},
+       {1, 2.5F, 0, 0}, 33, 1.0e-5F},
+      {"psf_sigma and psf_cut", "vec4(psf_sigma(exp2(v.x)), psf_cut(exp2(v.x)), 0, 0)",
+       [](const glm::vec4& v) {
+         const float lux = std::exp2(v.x);
+         return glm::vec4(f32::psf_sigma(lux), f32::psf_cut(lux), 0, 0);
+       },
+       {-40, 0, 0, 0}, {-10, 0, 0, 0}, 301, 2.0e-5F},
+      {"mueller psf", "vec4(mueller_intensity_psf(v.x), mueller_glare_psf(v.x), mueller_day_fade(v.y), "
+                      "mueller_glare_intensity(v.z, 4.0))",
+       [](const glm::vec4& v) {
+         return glm::vec4(f32::mueller_intensity_psf(v.x), f32::mueller_glare_psf(v.x), f32::mueller_day_fade(v.y),
+                          f32::mueller_glare_intensity(v.z, 4.0F));
+       },
+       {0, -1, -2, 0}, {1, 1, 6, 0}, 17, 2.0e-4F},
+      {"optical_path", "vec4(optical_path(v.x, v.y), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::optical_path(v.x, v.y)); }, {-1, 0, 0, 0}, {1, 12, 0, 0}, 121,
+       2.0e-4F},
+      {"scintillation", "scintillation(uint(v.x), double(v.y), v.z, v.w, 0.007)",
+       [](const glm::vec4& v) {
+         return f32::scintillation(static_cast<unsigned>(v.x), v.y, v.z, v.w, 0.007F);
+       },
+       {1, 0, 0.02F, 0}, {9000, 0.9F, 1, 0.1F}, 8, 2.0e-3F},
+      {"plain_exposure", "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); }, {0, 0, 0, 0},
+       {2.0e-3F, 2.0e-3F, 2.0e-3F, 0}, 12, 1.0e-4F},
+  };
+  const std::array<const char*, 5> names{"perspective", "fisheye", "stereographic", "equirectangular", "cubemap"};
+  for (int kind = 0; kind < 5; ++kind) {
+    const float height = kind == 4 ? 6144.0F : 768.0F;
+    cases.push_back({std::string("unproject ") + names.at(static_cast<std::size_t>(kind)), unproject_glsl(kind),
+                     [kind](const glm::vec4& v) { return unprojected(v, kind); }, {0.5F, 0.5F, 0, 0},
+                     {1023.5F, height - 0.5F, 0, 0}, 37, 1.0e-4F});
+    cases.push_back({std::string("pixels_per_steradian ") + names.at(static_cast<std::size_t>(kind)),
+                     "vec4(pixels_per_steradian(v.xy, PixelFrame(" + std::to_string(kind) + ", vec2(1024.0, " +
+                         (kind == 4 ? "6144.0" : "768.0") + "), 512.0)), 0, 0, 0)",
+                     [kind](const glm::vec4& v) { return scalar(f32::pixels_per_steradian(glm::vec2(v), test_frame(kind))); },
+                     {0.5F, 0.5F, 0, 0}, {1023.5F, height - 0.5F, 0, 0}, 37, 1.0e-4F});
+  }
+  return cases;
+}
+
+using ShaderMathGpu = RenderTest;
+
+TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
+  for (const FunctionCase& function : function_cases()) {
+    SCOPED_TRACE(function.name);
+    const Inputs inputs = grid(function.low, function.high, function.steps);
+    const std::vector<glm::vec4> results = evaluate_on_gpu(function.glsl, inputs);
+    std::vector<glm::vec4> expected;
+    float largest = 0.0F;
+    for (const glm::vec4& input : inputs) {
+      expected.push_back(function.cpp(input));
+      for (int c = 0; c < 4; ++c) {
+        largest = std::max(largest, std::abs(expected.back()[c]));
+      }
+    }
+    ASSERT_GT(largest, 0.0F);
+    float worst = 0.0F;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (int c = 0; c < 4; ++c) {
+        const float scale = std::max(std::abs(expected[i][c]), 1.0e-3F * largest);
+        const float error = std::abs(results[i][c] - expected[i][c]) / scale;
+        ASSERT_TRUE(std::isfinite(results[i][c])) << "input " << i;
+        worst = std::max(worst, error);
+      }
+    }
+    std::printf("%-38s worst relative difference %.1e over %zu points\n", function.name.c_str(),
+                static_cast<double>(worst), inputs.size());
+    EXPECT_LE(worst, function.tolerance);
+  }
+}
+
+TEST_F(ShaderMathGpu, PlacesInDoublePrecision) {
+  // star_place and project for a view half a degree wide: 1e-9 rad is 2e-4 arcsec.
+  const std::string expression = R"(vec4(0.0);
+  StarPlaceFrame frame = StarPlaceFrame(61.5lf, dvec3(0.31lf, -0.87lf, 0.4lf), dvec3(0.9e-4lf, 0.3e-4lf, -0.2e-4lf),
+                                        0.99999999lf, dvec3(0.6lf, 0.0lf, 0.8lf), 1.97e-8lf);
+  dvec3 place = star_place(normalize(dvec3(v.xyz)), dvec3(1.0e-5, -2.0e-5, 0.5e-5), 3.0e-6lf, 40.0lf, frame);
+  outputs[i] = vec4(vec3((place - normalize(dvec3(v.xyz))) * 1.0e4lf), 0.0))";
+  const Inputs inputs = grid({-1, -1, -0.9F, 0}, {1, 1, 1, 0}, 8);
+  const std::vector<glm::vec4> results = evaluate_on_gpu(expression, inputs);
+  const f64::StarPlaceFrame frame{61.5, {0.31, -0.87, 0.4}, {0.9e-4, 0.3e-4, -0.2e-4}, 0.99999999, {0.6, 0.0, 0.8}, 1.97e-8};
+  double worst = 0.0;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Vec3 position = glm::normalize(Vec3(inputs[i]));
+    const Vec3 pm(static_cast<double>(1.0e-5F), static_cast<double>(-2.0e-5F), static_cast<double>(0.5e-5F));
+    const Vec3 place = f64::star_place(position, pm, 3.0e-6, 40.0, frame);
+    worst = std::max(worst, glm::length(Vec3(results[i]) - (place - position) * 1.0e4) * 1.0e-4);
+  }
+  std::printf("star_place: worst %.1e rad\n", worst);
+  EXPECT_LT(worst, 1.0e-9);
+}
+
+} // namespace
+} // namespace vesper::test
