@@ -18,4 +18,4 @@ picture() {
 # The whole sky: zenith in the middle, south below, east on the left.
 picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --size 1024x1024
 picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
-picture plough --projection perspective --azimuth 45 --altitude 45 --fov 40 --size 1200x800
+picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800

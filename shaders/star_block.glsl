@@ -17,8 +17,9 @@ layout(std140, binding = 0) uniform StarBlock {
   float pupil_m;            // 0 for no scintillation
   float sun_sin_altitude;
   float control_magnitude;  // of the cheap tier
-  int copies;               // instances per star: 1, 2 where the picture wraps round, 3 for the cube map's faces
+  int copies;               // billboards per star: 1, 2 where the picture wraps round, 3 for the cube map's faces
   uint seed;
   uint frame_number;        // of the cheap tier's scintillation
+  uint star_count;
   vec2 strip;               // first row and number of rows that the framebuffer holds
 } block;

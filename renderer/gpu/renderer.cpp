@@ -73,7 +73,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     glClearBufferfv(GL_COLOR, 0, black.data());
   });
   if (plan.star_count > 0) {
-    star_pass_.prepare(sky, view, plan, outputs.star_shading);
+    timed("stars", timings, [&] { star_pass_.place(sky, view, plan, outputs.star_shading); });
     graph.add("stars", [&](const Strip& strip) { star_pass_.draw(strip); });
   }
   if (has(plan.options.layers, Layer::ground)) {

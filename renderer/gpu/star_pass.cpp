@@ -34,6 +34,8 @@ struct StarBlock {
   std::int32_t copies;
   std::uint32_t seed;
   std::uint32_t frame_number;
+  std::uint32_t star_count;
+  std::uint32_t padding;
   std::array<float, 2> strip;
 };
 static_assert(offsetof(StarBlock, view_from_horizon) == 96 && offsetof(StarBlock, observer_au) == 192 &&
@@ -41,7 +43,16 @@ static_assert(offsetof(StarBlock, view_from_horizon) == 96 && offsetof(StarBlock
               offsetof(StarBlock, sun_to_observer) == 256 && offsetof(StarBlock, size) == 288 &&
               offsetof(StarBlock, focal) == 304 && offsetof(StarBlock, seconds) == 312 &&
               offsetof(StarBlock, optical_depth) == 320 && offsetof(StarBlock, observer_height_km) == 336 &&
-              offsetof(StarBlock, control_magnitude) == 352 && offsetof(StarBlock, strip) == 368);
+              offsetof(StarBlock, control_magnitude) == 352 && offsetof(StarBlock, strip) == 376);
+
+/// What star.comp writes and star.vert reads, std430.
+struct StarBillboard {
+  std::array<float, 4> light;
+  std::array<float, 4> pixel_and_scale;
+  std::array<float, 4> box;
+  std::array<float, 4> glare;
+};
+static_assert(sizeof(StarBillboard) == 64);
 
 std::array<std::array<double, 4>, 3> columns(const Mat3& matrix) {
   std::array<std::array<double, 4>, 3> result{};
@@ -81,24 +92,14 @@ StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& pla
   block.copies = plan.star_copies;
   block.seed = plan.options.seed;
   block.frame_number = plan.options.frame_number;
+  block.star_count = static_cast<std::uint32_t>(plan.star_count);
   return block;
 }
 
 template <class T> std::span<const std::byte> bytes_of(const T& value) { return std::as_bytes(std::span(&value, 1)); }
 
-struct Attribute {
-  GLint components;
-  std::size_t offset;
-};
-constexpr std::array<Attribute, 6> record_attributes{{{3, offsetof(StarRecord, position)},
-                                                      {3, offsetof(StarRecord, proper_motion)},
-                                                      {1, offsetof(StarRecord, parallax)},
-                                                      {1, offsetof(StarRecord, radial_velocity)},
-                                                      {1, offsetof(StarRecord, illuminance)},
-                                                      {4, offsetof(StarRecord, color)}}};
-constexpr GLuint record_binding = 0;
-constexpr GLuint number_binding = 1;
-constexpr GLuint number_location = record_attributes.size();
+constexpr GLuint billboard_attributes = 4;
+constexpr GLuint invocations_per_group = 64;
 
 /// The number that seeds a star's scintillation: its HR number, or its row for stars without one.
 std::vector<std::uint32_t> scintillation_numbers(const StarCatalogue& catalogue) {
@@ -114,46 +115,53 @@ std::vector<std::uint32_t> scintillation_numbers(const StarCatalogue& catalogue)
 } // namespace
 
 StarPass::StarPass(const ShaderLibrary& library)
-    : programs_(library, {"star.vert", "star.frag"}), uniforms_(make_dynamic_buffer(sizeof(StarBlock))),
-      vertices_(make_vertex_array()) {}
+    : place_programs_(library, {"star.comp"}), draw_programs_(library, {"star.vert", "star.frag"}),
+      uniforms_(make_dynamic_buffer(sizeof(StarBlock))), vertices_(make_vertex_array()) {
+  for (GLuint location = 0; location < billboard_attributes; ++location) {
+    glEnableVertexArrayAttrib(vertices_.name(), location);
+    glVertexArrayAttribFormat(vertices_.name(), location, 4, GL_FLOAT, GL_FALSE,
+                              static_cast<GLuint>(location * 4 * sizeof(float)));
+    glVertexArrayAttribBinding(vertices_.name(), location, 0);
+  }
+  glVertexArrayBindingDivisor(vertices_.name(), 0, 1);
+}
 
 void StarPass::load(const StarCatalogue& catalogue) {
+  billboards_ = Buffer();
   if (catalogue.stars.empty()) {
     return;
   }
   records_ = make_static_buffer(std::as_bytes(std::span(catalogue.stars)));
   const std::vector<std::uint32_t> numbers = scintillation_numbers(catalogue);
   numbers_ = make_static_buffer(std::as_bytes(std::span(numbers)));
-
-  const GLuint vertices = vertices_.name();
-  glVertexArrayVertexBuffer(vertices, record_binding, records_.name(), 0, sizeof(StarRecord));
-  glVertexArrayVertexBuffer(vertices, number_binding, numbers_.name(), 0, sizeof(std::uint32_t));
-  for (GLuint location = 0; location < record_attributes.size(); ++location) {
-    const Attribute& attribute = record_attributes.at(location);
-    glEnableVertexArrayAttrib(vertices, location);
-    glVertexArrayAttribFormat(vertices, location, attribute.components, GL_FLOAT, GL_FALSE,
-                              static_cast<GLuint>(attribute.offset));
-    glVertexArrayAttribBinding(vertices, location, record_binding);
-  }
-  glEnableVertexArrayAttrib(vertices, number_location);
-  glVertexArrayAttribIFormat(vertices, number_location, 1, GL_UNSIGNED_INT, 0);
-  glVertexArrayAttribBinding(vertices, number_location, number_binding);
+  billboards_ = make_dynamic_buffer(catalogue.stars.size() * std::size_t{most_star_copies} * sizeof(StarBillboard));
+  glVertexArrayVertexBuffer(vertices_.name(), 0, billboards_.name(), 0, sizeof(StarBillboard));
 }
 
-void StarPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading) {
+void StarPass::place(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading) {
+  instances_ = plan.star_count * static_cast<std::size_t>(plan.star_copies);
+  if (instances_ == 0) {
+    return;
+  }
   std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view.projection))};
   if (plan.cheap_stars) {
     defines.emplace_back("CHEAP");
   }
+  const ProgramHandle& place_program = place_programs_.get(defines);
   if (shading == StarShading::constant_color) {
     defines.emplace_back("CONSTANT_COLOR");
   }
-  program_ = &programs_.get(defines);
+  draw_program_ = &draw_programs_.get(defines);
   update_buffer(uniforms_, bytes_of(star_block(sky, view, plan)));
-  const auto copies = static_cast<GLuint>(plan.star_copies);
-  glVertexArrayBindingDivisor(vertices_.name(), record_binding, copies);
-  glVertexArrayBindingDivisor(vertices_.name(), number_binding, copies);
-  instances_ = plan.star_count * static_cast<std::size_t>(plan.star_copies);
+
+  glUseProgram(place_program.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, numbers_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, billboards_.name());
+  const auto groups = (static_cast<GLuint>(plan.star_count) + invocations_per_group - 1) / invocations_per_group;
+  glDispatchCompute(groups, 1, 1);
+  glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
 void StarPass::draw(const Strip& strip) {
@@ -164,7 +172,7 @@ void StarPass::draw(const Strip& strip) {
   glNamedBufferSubData(uniforms_.name(), offsetof(StarBlock, strip), sizeof(rows), rows.data());
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glUseProgram(program_->name());
+  glUseProgram(draw_program_->name());
   glBindVertexArray(vertices_.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(instances_));

@@ -25,19 +25,21 @@ public:
   /// Copies a catalogue to the GPU in place of the one before.
   void load(const StarCatalogue& catalogue);
 
-  /// Hands a frame's numbers to the GPU and makes sure that its program is built.
-  void prepare(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading = StarShading::psf);
+  /// Places the stars of a frame in the picture, on the GPU.
+  void place(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading = StarShading::psf);
 
-  /// Draws the prepared stars into the bound framebuffer.
+  /// Draws the placed stars into the bound framebuffer.
   void draw(const Strip& strip);
 
 private:
-  ProgramVariants programs_;
+  ProgramVariants place_programs_;
+  ProgramVariants draw_programs_;
   Buffer records_;
   Buffer numbers_;
+  Buffer billboards_;
   Buffer uniforms_;
   VertexArray vertices_;
-  const ProgramHandle* program_ = nullptr;
+  const ProgramHandle* draw_program_ = nullptr;
   std::size_t instances_ = 0;
 };
 

@@ -13,7 +13,7 @@ int copies_of(Projection projection) {
   case Projection::equirectangular:
     return 2;
   case Projection::cubemap:
-    return 3;
+    return most_star_copies;
   default:
     return 1;
   }

@@ -33,12 +33,15 @@ struct FrameOptions {
   double faintest_lux = 0.0;       ///< stars fainter than this above the atmosphere are left out
 };
 
+/// The most billboards that one star needs: the faces that meet at a cube's corner.
+inline constexpr int most_star_copies = 3;
+
 /// The decisions for one frame, ready for the passes.
 struct FramePlan {
   FrameOptions options;
   bool cheap_stars = false;    ///< Mueller's point-spread function, fades and scintillation
   std::size_t star_count = 0;  ///< a prefix of the catalogue
-  int star_copies = 1;         ///< instances per star: 2 where the picture wraps round, 3 for the faces of a cube
+  int star_copies = 1;         ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};        ///< of one zenith column, in X, Y, Z, S
   double horizon_sin_altitude = 0.0; ///< of the geometric horizon, dipped by the observer's height
 };

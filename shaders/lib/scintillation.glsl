@@ -81,10 +81,19 @@ FN vec4 scintillation(uint key, PReal seconds, Real sin_altitude, Real exposure_
   // not drift as the star's altitude changes; the altitude only shifts the power among them. Frequencies are whole
   // multiples of 2^-15 Hz, so that every machine gets the same phase at any date.
   Real total = Real(0.0);
+  Real total_of_squares = Real(0.0);
   uint band = 13107u;
   for (int k = 0; k < scintillation_ripples; ++k) {
-    total += scintillation_power(Real(band) * scintillation_frequency_unit, corner);
+    Real power = scintillation_power(Real(band) * scintillation_frequency_unit, corner);
+    total += power;
+    total_of_squares += power * power;
     band = band / 5u * 8u;
+  }
+  // A finite number of ripples is a little less than log-normal: its intensity's variance lacks 7/8 sigma^4 times the
+  // sum of the squared shares, to leading order.
+  Real lack = Real(0.875) * total_of_squares / (total * total);
+  for (int c = 0; c < 4; ++c) {
+    log_sigma[c] *= sqrt(Real(1.0) + lack * log_sigma[c] * log_sigma[c]);
   }
   vec4 log_intensity = vec4(Real(0.0), Real(0.0), Real(0.0), Real(0.0));
   band = 13107u;

@@ -1,0 +1,95 @@
+// The optical path and the extinction of clear air against published figures.
+#include "vesper/atmosphere/clear_air.hpp"
+#include "vesper/base/shader_math.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace vesper {
+namespace {
+
+/// Relative optical air mass against true altitude: Young 1994 (Appl. Opt. 33, 1108, eq. 5).
+double young_air_mass(double true_altitude_deg) {
+  const double c = std::sin(true_altitude_deg * std::numbers::pi / 180.0);
+  return (1.002432 * c * c + 0.148386 * c + 0.0096467) / (c * c * c + 0.149864 * c * c + 0.0102963 * c + 0.000303978);
+}
+
+TEST(OpticalPath, FollowsThePublishedAirMass) {
+  double worst_high = 0.0;
+  double worst_low = 0.0;
+  for (double altitude = 0.0; altitude <= 90.0; altitude += 0.25) {
+    const double ours = f64::optical_path(std::sin(altitude * std::numbers::pi / 180.0), 0.0);
+    const double error = std::abs(ours / young_air_mass(altitude) - 1.0);
+    (altitude >= 10.0 ? worst_high : worst_low) = std::max(altitude >= 10.0 ? worst_high : worst_low, error);
+  }
+  std::printf("optical path against Young 1994: worst %.2f %% above 10 degrees, %.1f %% below\n", 100.0 * worst_high,
+              100.0 * worst_low);
+  EXPECT_LT(worst_high, 0.02);
+  // A homogeneous shell and straight rays: 40 air masses at the true horizon against 32 with refraction.
+  EXPECT_LT(worst_low, 0.30);
+}
+
+TEST(OpticalPath, HoldsWhereThePrintedFormulaFails) {
+  // 0/0 at the zenith, and a shell of no thickness above 8 km.
+  EXPECT_NEAR(f64::optical_path(1.0, 0.0), 1.0, 1.0e-12);
+  EXPECT_NEAR(f64::optical_path(1.0, 8.0), std::exp(-1.0), 1.0e-12);
+  EXPECT_NEAR(static_cast<double>(f32::optical_path(1.0F, 0.0F)), 1.0, 1.0e-6);
+  for (const double height : {-0.4, 0.0, 2.4, 9.0, 12.0, 100.0}) {
+    double last = 0.0;
+    for (int i = 90 * 20; i >= 0; --i) {
+      const double path = f64::optical_path(std::sin(i / 20.0 * std::numbers::pi / 180.0), height);
+      EXPECT_TRUE(std::isfinite(path));
+      EXPECT_GE(path, last);
+      last = path;
+    }
+  }
+}
+
+TEST(OpticalPath, IsContinuousThroughTheHorizontal) {
+  for (const double height : {0.0, 0.05, 2.4, 12.0}) {
+    const double above = f64::optical_path(1.0e-9, height);
+    const double below = f64::optical_path(-1.0e-9, height);
+    EXPECT_NEAR(below / above, 1.0, 1.0e-5) << height;
+  }
+  // From an aircraft the dipped horizon shows more air than the horizontal.
+  EXPECT_GT(f64::optical_path(std::sin(-0.05), 12.0), 2.0 * f64::optical_path(0.0, 12.0));
+}
+
+TEST(ClearAir, ZenithExtinctionInV) {
+  // V's effective wavelength for a solar spectrum is 550 nm; 0.20 to 0.30 magnitudes at a clear sea-level site.
+  const double magnitudes = 2.5 / std::numbers::ln10 * clear_air_optical_depth_xyzs().y;
+  std::printf("zenith extinction: %.3f mag\n", magnitudes);
+  EXPECT_GT(magnitudes, 0.20);
+  EXPECT_LT(magnitudes, 0.30);
+}
+
+/// Rayleigh optical depth at sea level: the fit of Bodhaine et al. 1999 (J. Atmos. Ocean. Technol. 16, 1854, eq. 30).
+double bodhaine_optical_depth(double micrometres) {
+  const double square = micrometres * micrometres;
+  return 0.0021520 * (1.0455996 - 341.29061 / square - 0.90230850 * square) /
+         (1.0 + 0.0027059889 / square - 85.968563 * square);
+}
+
+TEST(ClearAir, RayleighPartAgreesWithBodhaine) {
+  double worst = 0.0;
+  for (double nm = 400.0; nm <= 700.0; nm += 10.0) {
+    const double rayleigh = clear_air_optical_depth(nm, 0.0) - 0.10 * std::pow(nm / 550.0, -1.3);
+    worst = std::max(worst, std::abs(rayleigh / bodhaine_optical_depth(nm * 1.0e-3) - 1.0));
+  }
+  std::printf("Rayleigh optical depth against Bodhaine et al. 1999: worst %.2f %%\n", 100.0 * worst);
+  EXPECT_LT(worst, 0.01);
+}
+
+TEST(ClearAir, BlueIsDimmedMost) {
+  const Vec4 depth = clear_air_optical_depth_xyzs();
+  EXPECT_GT(depth.z, depth.w);
+  EXPECT_GT(depth.w, depth.y);
+  EXPECT_GT(depth.y, depth.x);
+}
+
+} // namespace
+} // namespace vesper
