@@ -81,3 +81,5 @@ BENCHMARK(sky_of_an_instant);
 
 } // namespace
 } // namespace vesper
+
+BENCHMARK_MAIN();

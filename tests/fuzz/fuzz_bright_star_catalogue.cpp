@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <span>
 
+// The name is libFuzzer's. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::vector<vesper::BrightStar> entries;
   vesper::StarProduct product;

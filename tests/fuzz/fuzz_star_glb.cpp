@@ -9,6 +9,7 @@
 #include <cstring>
 #include <span>
 
+// The name is libFuzzer's. NOLINTNEXTLINE(readability-identifier-naming)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   vesper::StarCatalogue catalogue;
   try {

@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstring>
+#include <span>
 
 namespace vesper {
 namespace {
 
 CsvTable table_of(std::string_view text) {
-  Bytes bytes(text.size());
-  std::memcpy(bytes.data(), text.data(), text.size());
-  return {std::move(bytes), "t.csv"};
+  const auto bytes = std::as_bytes(std::span(text));
+  return {Bytes(bytes.begin(), bytes.end()), "t.csv"};
 }
 
 std::string error_of(std::string_view text) {
