@@ -53,13 +53,14 @@ OutputKind output_kind(const std::string& path) {
 
 ImageMetadata describe(const SceneOptions& scene) {
   const View& view = scene.view;
-  return {{"vesper:time", to_iso8601(scene.instant)},
-          {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
-                                       scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
-          {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
-                                      projection_names()[static_cast<std::size_t>(view.projection)],
-                                      view.azimuth.to(deg), view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
-          {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
+  return {
+      {"vesper:time", to_iso8601(scene.instant)},
+      {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
+                                   scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
+      {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
+                                  projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
+                                  view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
+      {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
 }
 
 void print_timings(const std::vector<gpu::PassTiming>& timings) {

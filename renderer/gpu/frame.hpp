@@ -26,8 +26,8 @@ struct Frame {
 
   /// The four values of a pixel. Unchecked.
   [[nodiscard]] const float* pixel(int column, int row) const {
-    return &xyzs[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                      static_cast<std::size_t>(column))];
+    return &xyzs[4 *
+                 (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column))];
   }
 };
 

@@ -71,13 +71,9 @@ struct HeadlessContext::Handles {
       EGLConfig config = nullptr;
       EGLint configs = 0;
       eglChooseConfig(display, wanted.data(), &config, 1, &configs);
-      const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                             4,
-                                             EGL_CONTEXT_MINOR_VERSION,
-                                             5,
-                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                             EGL_NONE};
+      const std::array<EGLint, 7> attributes{
+          EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
       context = eglCreateContext(display, configs > 0 ? config : nullptr, EGL_NO_CONTEXT, attributes.data());
       if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
         return true;

@@ -73,8 +73,9 @@ void require_no_error(const char* where) {
   if (error == GL_NO_ERROR) {
     return;
   }
-  throw Error(ErrorKind::gpu, fmt::format("OpenGL error 0x{:04x} while {}", error, where),
-              {"", "", error == GL_OUT_OF_MEMORY ? "Ask for a smaller picture" : "Please report it with the driver's name"});
+  throw Error(
+      ErrorKind::gpu, fmt::format("OpenGL error 0x{:04x} while {}", error, where),
+      {"", "", error == GL_OUT_OF_MEMORY ? "Ask for a smaller picture" : "Please report it with the driver's name"});
 }
 
 void finish() { glFinish(); }

@@ -36,6 +36,17 @@ std::string numbered(const std::string& text) {
               {stage, "", "Correct the source"});
 }
 
+/// A driver's log through its length query and its read function.
+template <class Query, class Read> std::string driver_log(Query query, Read read, GLuint name) {
+  GLint length = 0;
+  query(name, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length) + 1, '\0');
+  GLsizei written = 0;
+  read(name, length, &written, log.data());
+  log.resize(static_cast<std::size_t>(written));
+  return log;
+}
+
 struct Shader {
   explicit Shader(GLenum kind) : name(glCreateShader(kind)) {}
   Shader(const Shader&) = delete;
@@ -58,11 +69,7 @@ ProgramHandle build_program(const ShaderLibrary& library, const std::vector<std:
     GLint compiled = 0;
     glGetShaderiv(shader.name, GL_COMPILE_STATUS, &compiled);
     if (compiled == 0) {
-      GLint length = 0;
-      glGetShaderiv(shader.name, GL_INFO_LOG_LENGTH, &length);
-      std::string log(static_cast<std::size_t>(length) + 1, '\0');
-      glGetShaderInfoLog(shader.name, length, nullptr, log.data());
-      fail(stage, log, source);
+      fail(stage, driver_log(glGetShaderiv, glGetShaderInfoLog, shader.name), source);
     }
     glAttachShader(program.name(), shader.name);
   }
@@ -70,11 +77,9 @@ ProgramHandle build_program(const ShaderLibrary& library, const std::vector<std:
   GLint linked = 0;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
   if (linked == 0) {
-    GLint length = 0;
-    glGetProgramiv(program.name(), GL_INFO_LOG_LENGTH, &length);
-    std::string log(static_cast<std::size_t>(length) + 1, '\0');
-    glGetProgramInfoLog(program.name(), length, nullptr, log.data());
-    throw Error(ErrorKind::gpu, "program does not link:\n" + log, {stages.front(), "", "Correct the stages' interface"});
+    throw Error(ErrorKind::gpu,
+                "program does not link:\n" + driver_log(glGetProgramiv, glGetProgramInfoLog, program.name()),
+                {stages.front(), "", "Correct the stages' interface"});
   }
   return program;
 }

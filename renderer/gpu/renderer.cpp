@@ -19,7 +19,8 @@ int strip_rows(const View& view, int limit) {
   return static_cast<int>(limit > 0 ? std::min<std::int64_t>(rows, limit) : rows);
 }
 
-template <class T> void read_back(const Texture& texture, GLenum type, const Strip& strip, int width, std::vector<T>& to) {
+template <class T>
+void read_back(const Texture& texture, GLenum type, const Strip& strip, int width, std::vector<T>& to) {
   const std::size_t row = 4 * static_cast<std::size_t>(width);
   T* first = to.data() + row * static_cast<std::size_t>(strip.first_row);
   const std::size_t bytes = row * static_cast<std::size_t>(strip.rows) * sizeof(T);

@@ -28,10 +28,11 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   plan.options = options;
   plan.cheap_stars = sky.tier == Tier::cheap;
   if (has(options.layers, Layer::stars)) {
-    const auto end = std::partition_point(stars.begin(), stars.end(), [&](const StarRecord& star) {
+    // The catalogue is sorted by V, along which illuminance falls only nearly monotonically.
+    const auto last = std::find_if(stars.rbegin(), stars.rend(), [&](const StarRecord& star) {
       return static_cast<double>(star.illuminance) >= options.faintest_lux;
     });
-    plan.star_count = static_cast<std::size_t>(end - stars.begin());
+    plan.star_count = static_cast<std::size_t>(stars.rend() - last);
   }
   plan.star_copies = copies_of(view.projection);
   if (options.air.extinction) {

@@ -28,9 +28,9 @@ struct FrameOptions {
   LayerSet layers = all_layers();
   AirOptions air;
   std::uint32_t seed = 0;
-  std::uint32_t frame_number = 0;  ///< counts the frames of a sequence; the cheap scintillation's only clock
-  double control_magnitude = 4.0;  ///< of the cheap tier (Mueller et al. 2012, m_a)
-  double faintest_lux = 0.0;       ///< stars fainter than this above the atmosphere are left out
+  std::uint32_t frame_number = 0; ///< counts the frames of a sequence; the cheap scintillation's only clock
+  double control_magnitude = 4.0; ///< of the cheap tier (Mueller et al. 2012, m_a)
+  double faintest_lux = 0.0;      ///< the catalogue is cut behind the last star as bright above the atmosphere
 };
 
 /// The most billboards that one star needs: the faces that meet at a cube's corner.
@@ -39,14 +39,14 @@ inline constexpr int most_star_copies = 3;
 /// The decisions for one frame, ready for the passes.
 struct FramePlan {
   FrameOptions options;
-  bool cheap_stars = false;    ///< Mueller's point-spread function, fades and scintillation
-  std::size_t star_count = 0;  ///< a prefix of the catalogue
-  int star_copies = 1;         ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
-  Vec4 optical_depth{};        ///< of one zenith column, in X, Y, Z, S
+  bool cheap_stars = false;   ///< Mueller's point-spread function, fades and scintillation
+  std::size_t star_count = 0; ///< a prefix of the catalogue
+  int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
+  Vec4 optical_depth{};       ///< of one zenith column, in X, Y, Z, S
   double horizon_sin_altitude = 0.0; ///< of the geometric horizon, dipped by the observer's height
 };
 
-/// Decides what the frame must draw. `stars` are sorted by descending illuminance.
+/// Decides what the frame must draw. `stars` are sorted by magnitude.
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {});
 

@@ -51,8 +51,8 @@ void validate(const View& view) {
   require(sphere || (std::isfinite(fov) && fov > 0.0 && inside),
           fmt::format("fov {} degrees is outside the range of the {} projection", fov,
                       names.at(static_cast<std::size_t>(view.projection))),
-          fmt::format("Give more than 0 and {} {} degrees", view.projection == Projection::fisheye ? "at most" : "below",
-                      limit));
+          fmt::format("Give more than 0 and {} {} degrees",
+                      view.projection == Projection::fisheye ? "at most" : "below", limit));
   require(std::abs(view.altitude.to(deg)) <= 90.0,
           fmt::format("altitude {} degrees is outside the sphere", view.altitude.to(deg)), "Give -90 to 90 degrees");
   require(std::isfinite(view.azimuth.to(deg)) && std::isfinite(view.roll.to(deg)), "azimuth or roll is not a number",

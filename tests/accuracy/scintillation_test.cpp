@@ -46,7 +46,8 @@ Statistics statistics(double altitude_deg, double exposure_s, unsigned seed = 1)
     result.mean[c] = sum[c] / count;
     result.deviation[c] = std::sqrt(square[c] / count - result.mean[c] * result.mean[c]);
   }
-  result.correlation_xz = (cross / count - result.mean[0] * result.mean[2]) / (result.deviation[0] * result.deviation[2]);
+  result.correlation_xz =
+      (cross / count - result.mean[0] * result.mean[2]) / (result.deviation[0] * result.deviation[2]);
   return result;
 }
 

@@ -17,8 +17,7 @@ namespace {
 /// Wall-clock milliseconds of the pass alone, as the frame graph times it.
 double star_pass_ms(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
                     gpu::StarShading shading) {
-  const gpu::Frame frame =
-      renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading});
+  const gpu::Frame frame = renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading});
   for (const gpu::PassTiming& timing : frame.timings) {
     if (timing.name == "stars") {
       return timing.milliseconds;

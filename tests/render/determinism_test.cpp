@@ -12,7 +12,8 @@ namespace vesper::test {
 namespace {
 
 Bytes rendered(const std::filesystem::path& path, const std::string& options) {
-  const std::string command = std::string(VESPER_BIN) + "/vesper-render --quiet --time 2026-11-22T22:00:00Z --latitude 40 " +
+  const std::string command = std::string(VESPER_BIN) +
+                              "/vesper-render --quiet --time 2026-11-22T22:00:00Z --latitude 40 " +
                               "--longitude -3.7 --seed 3 " + options + " -o " + path.string();
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   return read_file(path);
@@ -34,7 +35,8 @@ TEST_P(Determinism, TwoProcessesGiveTheSameBytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
-                         testing::Values("--size 600x600", "--projection perspective --altitude 30 --fov 60 --size 640x360",
+                         testing::Values("--size 600x600",
+                                         "--projection perspective --altitude 30 --fov 60 --size 640x360",
                                          "--projection cubemap --altitude 0 --size 128x768",
                                          "--tier cheap --size 300x300"));
 

@@ -152,8 +152,8 @@ TEST_F(Frames, ExtinctionDimsByTheStatedOpticalDepth) {
     const FramePlan plan = plan_frame(sky, view, stars, options);
     const gpu::Frame dimmed = renderer.render(sky, view, plan);
     for (int channel = 0; channel < 4; ++channel) {
-      const double ratio = illuminance_in(dimmed, view, 0, 0, 64, 64, channel) /
-                           illuminance_in(clear, view, 0, 0, 64, 64, channel);
+      const double ratio =
+          illuminance_in(dimmed, view, 0, 0, 64, 64, channel) / illuminance_in(clear, view, 0, 0, 64, 64, channel);
       const double path = f64::optical_path(static_cast<double>(stars[0].position[2]), 0.0);
       EXPECT_NEAR(ratio, std::exp(-plan.optical_depth[channel] * path), 2.0e-3 * ratio) << altitude << " " << channel;
     }

@@ -65,8 +65,9 @@ Inputs grid(const glm::vec4& low, const glm::vec4& high, int steps) {
   Inputs points;
   const auto count = [&](int axis) { return low[axis] == high[axis] ? 1 : steps; };
   const auto at = [&](int axis, int i) {
-    return count(axis) == 1 ? low[axis]
-                            : low[axis] + (high[axis] - low[axis]) * static_cast<float>(i) / static_cast<float>(steps - 1);
+    return count(axis) == 1
+               ? low[axis]
+               : low[axis] + (high[axis] - low[axis]) * static_cast<float>(i) / static_cast<float>(steps - 1);
   };
   for (int a = 0; a < count(0); ++a) {
     for (int b = 0; b < count(1); ++b) {
@@ -109,56 +110,98 @@ std::string unproject_glsl(int kind) {
 
 std::vector<FunctionCase> function_cases() {
   std::vector<FunctionCase> cases{
-      {"hash", "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
+      {"hash",
+       "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) {
          return scalar(f32::hash_unit(f32::hash_pair(static_cast<unsigned>(v.x), static_cast<unsigned>(v.y))));
        },
-       {0, 0, 0, 0}, {9000, 1000, 0, 0}, 40, 0.0F},
-      {"arc_tangent", "vec4(float(signed_arc_tangent(double(v.x), double(v.y))), 0, 0, 0)",
+       {0, 0, 0, 0},
+       {9000, 1000, 0, 0},
+       40,
+       0.0F},
+      {"arc_tangent",
+       "vec4(float(signed_arc_tangent(double(v.x), double(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) { return scalar(static_cast<float>(f64::signed_arc_tangent(v.x, v.y))); },
-       {-1, -1, 0, 0}, {1, 1, 0, 0}, 41, 1.0e-6F},
-      {"psf_profile", "vec4(psf_profile(v.xy), 0, 0, 0)",
-       [](const glm::vec4& v) { return scalar(f32::psf_profile(glm::vec2(v))); }, {-4, -4, 0, 0}, {4, 4, 0, 0}, 33,
+       {-1, -1, 0, 0},
+       {1, 1, 0, 0},
+       41,
+       1.0e-6F},
+      {"psf_profile",
+       "vec4(psf_profile(v.xy), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::psf_profile(glm::vec2(v))); },
+       {-4, -4, 0, 0},
+       {4, 4, 0, 0},
+       33,
        1.0e-5F},
-      {"psf_axis_sum", "vec4(psf_axis_sum(v.x, -8.0, 8.0, v.y), 0, 0, 0)",
-       [](const glm::vec4& v) { return scalar(f32::psf_axis_sum(v.x, -8.0F, 8.0F, v.y)); }, {-1, 0.8F, 0, 0},
-       {1, 2.5F, 0, 0}, 33, 1.0e-5F},
-      {"psf_sigma and psf_cut", "vec4(psf_sigma(exp2(v.x)), psf_cut(exp2(v.x)), 0, 0)",
+      {"psf_axis_sum",
+       "vec4(psf_axis_sum(v.x, -8.0, 8.0, v.y), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::psf_axis_sum(v.x, -8.0F, 8.0F, v.y)); },
+       {-1, 0.8F, 0, 0},
+       {1, 2.5F, 0, 0},
+       33,
+       1.0e-5F},
+      {"psf_sigma and psf_cut",
+       "vec4(psf_sigma(exp2(v.x)), psf_cut(exp2(v.x)), 0, 0)",
        [](const glm::vec4& v) {
          const float lux = std::exp2(v.x);
          return glm::vec4(f32::psf_sigma(lux), f32::psf_cut(lux), 0, 0);
        },
-       {-40, 0, 0, 0}, {-10, 0, 0, 0}, 301, 2.0e-5F},
-      {"mueller psf", "vec4(mueller_intensity_psf(v.x), mueller_glare_psf(v.x), mueller_day_fade(v.y), "
-                      "mueller_glare_intensity(v.z, 4.0))",
+       {-40, 0, 0, 0},
+       {-10, 0, 0, 0},
+       301,
+       2.0e-5F},
+      {"mueller psf",
+       "vec4(mueller_intensity_psf(v.x), mueller_glare_psf(v.x), mueller_day_fade(v.y), "
+       "mueller_glare_intensity(v.z, 4.0))",
        [](const glm::vec4& v) {
          return glm::vec4(f32::mueller_intensity_psf(v.x), f32::mueller_glare_psf(v.x), f32::mueller_day_fade(v.y),
                           f32::mueller_glare_intensity(v.z, 4.0F));
        },
-       {0, -1, -2, 0}, {1, 1, 6, 0}, 17, 2.0e-4F},
-      {"optical_path", "vec4(optical_path(v.x, v.y), 0, 0, 0)",
-       [](const glm::vec4& v) { return scalar(f32::optical_path(v.x, v.y)); }, {-1, 0, 0, 0}, {1, 12, 0, 0}, 121,
+       {0, -1, -2, 0},
+       {1, 1, 6, 0},
+       17,
        2.0e-4F},
-      {"scintillation", "scintillation(uint(v.x), double(v.y), v.z, v.w, 0.007)",
-       [](const glm::vec4& v) {
-         return f32::scintillation(static_cast<unsigned>(v.x), v.y, v.z, v.w, 0.007F);
-       },
-       {1, 0, 0.02F, 0}, {9000, 0.9F, 1, 0.1F}, 8, 2.0e-3F},
-      {"plain_exposure", "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
-       [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); }, {0, 0, 0, 0},
-       {2.0e-3F, 2.0e-3F, 2.0e-3F, 0}, 12, 1.0e-4F},
+      {"optical_path",
+       "vec4(optical_path(v.x, v.y), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::optical_path(v.x, v.y)); },
+       {-1, 0, 0, 0},
+       {1, 12, 0, 0},
+       121,
+       2.0e-4F},
+      {"scintillation",
+       "scintillation(uint(v.x), double(v.y), v.z, v.w, 0.007)",
+       [](const glm::vec4& v) { return f32::scintillation(static_cast<unsigned>(v.x), v.y, v.z, v.w, 0.007F); },
+       {1, 0, 0.02F, 0},
+       {9000, 0.9F, 1, 0.1F},
+       8,
+       2.0e-3F},
+      {"plain_exposure",
+       "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); },
+       {0, 0, 0, 0},
+       {2.0e-3F, 2.0e-3F, 2.0e-3F, 0},
+       12,
+       1.0e-4F},
   };
   const std::array<const char*, 5> names{"perspective", "fisheye", "stereographic", "equirectangular", "cubemap"};
   for (int kind = 0; kind < 5; ++kind) {
     const float height = kind == 4 ? 6144.0F : 768.0F;
-    cases.push_back({std::string("unproject ") + names.at(static_cast<std::size_t>(kind)), unproject_glsl(kind),
-                     [kind](const glm::vec4& v) { return unprojected(v, kind); }, {0.5F, 0.5F, 0, 0},
-                     {1023.5F, height - 0.5F, 0, 0}, 37, 1.0e-4F});
-    cases.push_back({std::string("pixels_per_steradian ") + names.at(static_cast<std::size_t>(kind)),
-                     "vec4(pixels_per_steradian(v.xy, PixelFrame(" + std::to_string(kind) + ", vec2(1024.0, " +
-                         (kind == 4 ? "6144.0" : "768.0") + "), 512.0)), 0, 0, 0)",
-                     [kind](const glm::vec4& v) { return scalar(f32::pixels_per_steradian(glm::vec2(v), test_frame(kind))); },
-                     {0.5F, 0.5F, 0, 0}, {1023.5F, height - 0.5F, 0, 0}, 37, 1.0e-4F});
+    cases.push_back({std::string("unproject ") + names.at(static_cast<std::size_t>(kind)),
+                     unproject_glsl(kind),
+                     [kind](const glm::vec4& v) { return unprojected(v, kind); },
+                     {0.5F, 0.5F, 0, 0},
+                     {1023.5F, height - 0.5F, 0, 0},
+                     37,
+                     1.0e-4F});
+    cases.push_back(
+        {std::string("pixels_per_steradian ") + names.at(static_cast<std::size_t>(kind)),
+         "vec4(pixels_per_steradian(v.xy, PixelFrame(" + std::to_string(kind) + ", vec2(1024.0, " +
+             (kind == 4 ? "6144.0" : "768.0") + "), 512.0)), 0, 0, 0)",
+         [kind](const glm::vec4& v) { return scalar(f32::pixels_per_steradian(glm::vec2(v), test_frame(kind))); },
+         {0.5F, 0.5F, 0, 0},
+         {1023.5F, height - 0.5F, 0, 0},
+         37,
+         1.0e-4F});
   }
   return cases;
 }
@@ -203,7 +246,8 @@ TEST_F(ShaderMathGpu, PlacesInDoublePrecision) {
   outputs[i] = vec4(vec3((place - normalize(dvec3(v.xyz))) * 1.0e4lf), 0.0))";
   const Inputs inputs = grid({-1, -1, -0.9F, 0}, {1, 1, 1, 0}, 8);
   const std::vector<glm::vec4> results = evaluate_on_gpu(expression, inputs);
-  const f64::StarPlaceFrame frame{61.5, {0.31, -0.87, 0.4}, {0.9e-4, 0.3e-4, -0.2e-4}, 0.99999999, {0.6, 0.0, 0.8}, 1.97e-8};
+  const f64::StarPlaceFrame frame{61.5,       {0.31, -0.87, 0.4}, {0.9e-4, 0.3e-4, -0.2e-4},
+                                  0.99999999, {0.6, 0.0, 0.8},    1.97e-8};
   double worst = 0.0;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const Vec3 position = glm::normalize(Vec3(inputs[i]));

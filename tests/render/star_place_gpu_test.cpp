@@ -26,10 +26,10 @@ StarRecord random_star(std::mt19937_64& random) {
 
 /// The pixel that the double-precision chain gives from the same record.
 Vec2 expected_pixel(const StarRecord& star, const SkyState& sky, const View& view) {
-  const Vec3 icrs = f64::star_place(
-      Vec3(star.position[0], star.position[1], star.position[2]),
-      Vec3(star.proper_motion[0], star.proper_motion[1], star.proper_motion[2]), static_cast<double>(star.parallax),
-      static_cast<double>(star.radial_velocity), place_frame(sky.stars));
+  const Vec3 icrs = f64::star_place(Vec3(star.position[0], star.position[1], star.position[2]),
+                                    Vec3(star.proper_motion[0], star.proper_motion[1], star.proper_motion[2]),
+                                    static_cast<double>(star.parallax), static_cast<double>(star.radial_velocity),
+                                    place_frame(sky.stars));
   const Vec3 direction = view_from_horizon(view) * glm::normalize(sky.stars.horizon_from_icrs * icrs);
   Vec2 pixel;
   EXPECT_TRUE(f64::project(direction, 0, projection_frame(view), pixel));
@@ -44,8 +44,8 @@ Vec2 centroid(const gpu::Frame& frame, const View& view, const Vec2& near) {
        ++row) {
     for (int column = std::max(0, static_cast<int>(near.x) - 5);
          column < std::min(frame.width, static_cast<int>(near.x) + 6); ++column) {
-      const double light =
-          static_cast<double>(frame.pixel(column, row)[1]) / f64::pixels_per_steradian({column + 0.5, row + 0.5}, pixel_frame(view));
+      const double light = static_cast<double>(frame.pixel(column, row)[1]) /
+                           f64::pixels_per_steradian({column + 0.5, row + 0.5}, pixel_frame(view));
       sum += light;
       moment += light * Vec2(column + 0.5, row + 0.5);
     }

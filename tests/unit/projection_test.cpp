@@ -140,15 +140,13 @@ TEST_P(EveryProjection, PixelsAddUpToTheFieldTheyCover) {
   EXPECT_NEAR(sum / expected, 1.0, sphere ? 1.0e-4 : 5.0e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, EveryProjection,
-                         testing::Values(view_of(Projection::perspective, 0.5, 300, 200),
-                                         view_of(Projection::perspective, 100, 300, 300),
-                                         view_of(Projection::fisheye, 180, 300, 300),
-                                         view_of(Projection::fisheye, 340, 400, 400),
-                                         view_of(Projection::stereographic, 180, 300, 300),
-                                         view_of(Projection::stereographic, 340, 300, 300),
-                                         view_of(Projection::equirectangular, 180, 360, 180),
-                                         view_of(Projection::cubemap, 180, 100, 600)));
+INSTANTIATE_TEST_SUITE_P(
+    Views, EveryProjection,
+    testing::Values(view_of(Projection::perspective, 0.5, 300, 200), view_of(Projection::perspective, 100, 300, 300),
+                    view_of(Projection::fisheye, 180, 300, 300), view_of(Projection::fisheye, 340, 400, 400),
+                    view_of(Projection::stereographic, 180, 300, 300),
+                    view_of(Projection::stereographic, 340, 300, 300),
+                    view_of(Projection::equirectangular, 180, 360, 180), view_of(Projection::cubemap, 180, 100, 600)));
 
 TEST(ArcTangent, AgreesWithTheLibraryEverywhere) {
   double worst = 0.0;
