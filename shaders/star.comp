@@ -80,12 +80,12 @@ StarBillboard billboard(uint star, int copy) {
 
   float path = optical_path(sin_altitude, block.observer_height_km);
   vec4 color = vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);
-  vec4 light = records[at + 8u] * color * extinction(block.optical_depth, path);
+  vec4 light = records[at + 8u] * modulate_xyzs(color, extinction(block.optical_depth, path));
   uint key = hash_pair(numbers[star], block.seed);
 
 #ifdef CHEAP
   if (block.pupil_m > 0.0) {
-    light *= mueller_scintillation(key, block.frame_number, path);
+    light = modulate_xyzs(light, mueller_scintillation(key, block.frame_number, path));
   }
   light *= mueller_day_fade(block.sun_sin_altitude);
   result.glare.x = mueller_glare_intensity(magnitude_of(light.y), block.control_magnitude);
@@ -104,7 +104,8 @@ StarBillboard billboard(uint star, int copy) {
   float radius = psf_cut(light.y) * sigma;
   // Last, because the spread must not breathe with it.
   if (block.pupil_m > 0.0) {
-    light *= scintillation(key, block.seconds, sin_altitude, block.exposure_s, block.pupil_m);
+    light = modulate_xyzs(
+        light, scintillation(key, block.seconds, sin_altitude, block.exposure_s, block.pupil_m));
   }
   result.scale = vec2(psf_scale(sigma));
   if (PROJECTION == projection_equirectangular) {

@@ -7,14 +7,9 @@
 
 #include <CLI/App.hpp>
 
-#include <csignal>
 
 // Only a lack of memory while the options are set up can leave this function.
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
-  // A file that grows past the limit of the process must be an error message, not the end of the program with a
-  // temporary file left behind.
-  std::signal(SIGXFSZ, SIG_IGN);
-
   CLI::App app("Turns star catalogues into star buffers, and reads these back", "vesper-catalog");
   vesper::prepare_program(app);
   app.require_subcommand(0, 1);

@@ -122,7 +122,8 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
 
 } // namespace
 
-int main(int argc, char** argv) {
+// Only an option declared twice could throw before run_program catches.
+int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   CLI::App app{"Renders the real sky to a PNG (for a display) or an EXR (X, Y, Z, S in cd/m2).", "vesper-render"};
   prepare_program(app);
   const SceneOptionSet scene_options(app);

@@ -11,7 +11,7 @@ namespace vesper {
 namespace {
 
 /// Encodes in memory, so that the file is replaced in one step and every write error is seen.
-void write(const std::filesystem::path& path, const char* format, OIIO::ImageSpec spec, OIIO::TypeDesc type,
+void write(const std::filesystem::path& path, const char* format, OIIO::ImageSpec spec, const OIIO::TypeDesc& type,
            const void* pixels, OIIO::stride_t pixel_stride, const ImageMetadata& metadata) {
   // Without these the library stamps the current time and its own version into the file.
   spec.attribute("DateTime", "");

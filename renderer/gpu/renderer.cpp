@@ -14,8 +14,8 @@ namespace {
 constexpr std::int64_t strip_pixels = std::int64_t{1} << 25;
 
 int strip_rows(const View& view, int limit) {
-  const std::int64_t by_memory = std::max<std::int64_t>(1, strip_pixels / view.width);
-  const std::int64_t rows = std::min<std::int64_t>({view.height, largest_texture_side(), by_memory});
+  const auto by_memory = std::max<std::int64_t>(1, strip_pixels / view.width);
+  const auto rows = std::min<std::int64_t>({view.height, largest_texture_side(), by_memory});
   return static_cast<int>(limit > 0 ? std::min<std::int64_t>(rows, limit) : rows);
 }
 

@@ -120,7 +120,7 @@ StarPass::StarPass(const ShaderLibrary& library)
   for (GLuint location = 0; location < billboard_attributes; ++location) {
     glEnableVertexArrayAttrib(vertices_.name(), location);
     glVertexArrayAttribFormat(vertices_.name(), location, 4, GL_FLOAT, GL_FALSE,
-                              static_cast<GLuint>(location * 4 * sizeof(float)));
+                              location * static_cast<GLuint>(4 * sizeof(float)));
     glVertexArrayAttribBinding(vertices_.name(), location, 0);
   }
   glVertexArrayBindingDivisor(vertices_.name(), 0, 1);

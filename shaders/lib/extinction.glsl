@@ -28,5 +28,17 @@ FN Real optical_path(Real sin_altitude, Real height_km) {
   return max(Real(2.0) * tangent_density * shell_path(Real(0.0), tangent_radius) - upward, upward);
 }
 
-// Share of the light that is left in X, Y, Z, S after the optical path, from the optical depth of one zenith column.
+// The response X has two lobes: its blue one is this share of Z (CIE 1931: 0.348 at 442 nm against 1.78).
+const Real short_lobe_of_x = Real(0.1955);
+
+// Light in X, Y, Z, S times factors that were found for one wavelength each (about 600, 555, 450 and 507 nm). The blue
+// lobe of X goes with Z: without that a reddened star would turn pink.
+FN vec4 modulate_xyzs(vec4 light, vec4 factor) {
+  Real blue = short_lobe_of_x * light.z;
+  return vec4(max(light.x - blue, Real(0.0)) * factor.x + blue * factor.z, light.y * factor.y, light.z * factor.z,
+              light.w * factor.w);
+}
+
+// Share of the light that is left after the optical path at the wavelengths of modulate_xyzs, from the optical depth of
+// one zenith column there.
 FN vec4 extinction(vec4 optical_depth, Real path) { return exp(-path * optical_depth); }

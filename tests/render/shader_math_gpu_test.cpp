@@ -168,6 +168,15 @@ std::vector<FunctionCase> function_cases() {
        {1, 12, 0, 0},
        121,
        2.0e-4F},
+      {"modulate_xyzs",
+       "modulate_xyzs(v, extinction(vec4(0.2, 0.23, 0.35, 0.26), 3.0))",
+       [](const glm::vec4& v) {
+         return f32::modulate_xyzs(v, f32::extinction(glm::vec4(0.2F, 0.23F, 0.35F, 0.26F), 3.0F));
+       },
+       {0, 0, 0, 0},
+       {2, 2, 2, 2},
+       6,
+       1.0e-5F},
       {"scintillation",
        "scintillation(uint(v.x), double(v.y), v.z, v.w, 0.007)",
        [](const glm::vec4& v) { return f32::scintillation(static_cast<unsigned>(v.x), v.y, v.z, v.w, 0.007F); },
