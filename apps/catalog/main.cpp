@@ -7,7 +7,6 @@
 
 #include <CLI/App.hpp>
 
-
 // Only a lack of memory while the options are set up can leave this function.
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   CLI::App app("Turns star catalogues into star buffers, and reads these back", "vesper-catalog");

@@ -99,7 +99,7 @@ inline double illuminance_in(const gpu::Frame& frame, const View& view, int firs
   double sum = 0.0;
   for (int row = std::max(first_row, 0); row < std::min(first_row + rows, frame.height); ++row) {
     for (int column = std::max(first_column, 0); column < std::min(first_column + columns, frame.width); ++column) {
-      const double luminance = static_cast<double>(frame.pixel(column, row)[channel]);
+      const auto luminance = static_cast<double>(frame.pixel(column, row)[channel]);
       if (luminance != 0.0) {
         sum += luminance * pixel_solid_angle(view, column, row);
       }

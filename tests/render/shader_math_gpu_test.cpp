@@ -92,7 +92,7 @@ struct FunctionCase {
   float tolerance; ///< relative to the larger of 1e-3 of the largest result and the result
 };
 
-glm::vec4 scalar(float x) { return glm::vec4(x, 0.0F, 0.0F, 0.0F); }
+glm::vec4 scalar(float x) { return {x, 0.0F, 0.0F, 0.0F}; }
 
 f32::PixelFrame test_frame(int kind) { return {kind, glm::vec2(1024.0F, kind == 4 ? 6144.0F : 768.0F), 512.0F}; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 namespace vesper::test {
@@ -62,6 +63,7 @@ void add_grid_frame(gpu::Renderer& renderer, const View& view, std::mt19937_64& 
   std::sort(stars.begin(), stars.end(),
             [](const auto& a, const auto& b) { return a.first.illuminance > b.first.illuminance; });
   std::vector<StarRecord> records;
+  records.reserve(stars.size());
   for (const auto& star : stars) {
     records.push_back(star.first);
   }
@@ -101,15 +103,31 @@ TEST_P(StarFlux, SumsToTheIlluminance) {
                                   std::to_string(parameters.size));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Fields, StarFlux,
-    testing::Values(FluxCase{Projection::perspective, 0.5, 256}, FluxCase{Projection::perspective, 0.5, 4096},
-                    FluxCase{Projection::perspective, 60.0, 1024}, FluxCase{Projection::perspective, 140.0, 256},
-                    FluxCase{Projection::perspective, 169.9, 4096}, FluxCase{Projection::fisheye, 0.5, 1024},
-                    FluxCase{Projection::fisheye, 180.0, 256}, FluxCase{Projection::fisheye, 180.0, 4096},
-                    FluxCase{Projection::fisheye, 60.0, 512}, FluxCase{Projection::stereographic, 0.5, 4096},
-                    FluxCase{Projection::stereographic, 60.0, 256}, FluxCase{Projection::stereographic, 180.0, 256},
-                    FluxCase{Projection::stereographic, 180.0, 4096}));
+/// Corners and middles of the grid of fields and sizes; `./run test --full` takes all of it.
+std::vector<FluxCase> flux_cases() {
+  if (std::getenv("VESPER_TEST_FULL") == nullptr) {
+    return {{Projection::perspective, 0.5, 256},     {Projection::perspective, 0.5, 4096},
+            {Projection::perspective, 60.0, 1024},   {Projection::perspective, 140.0, 256},
+            {Projection::perspective, 169.9, 4096},  {Projection::fisheye, 0.5, 1024},
+            {Projection::fisheye, 180.0, 256},       {Projection::fisheye, 180.0, 4096},
+            {Projection::fisheye, 60.0, 512},        {Projection::stereographic, 0.5, 4096},
+            {Projection::stereographic, 60.0, 256},  {Projection::stereographic, 180.0, 256},
+            {Projection::stereographic, 180.0, 4096}};
+  }
+  std::vector<FluxCase> cases;
+  for (const Projection projection : {Projection::perspective, Projection::fisheye, Projection::stereographic}) {
+    for (const double fov : {0.5, 2.0, 10.0, 45.0, 90.0, 120.0, 150.0, 169.9, 180.0}) {
+      for (const int size : {256, 512, 1024, 2048, 4096}) {
+        if (projection != Projection::perspective || fov < 170.0) {
+          cases.push_back({projection, fov, size});
+        }
+      }
+    }
+  }
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields, StarFlux, testing::ValuesIn(flux_cases()));
 
 /// Random stars all over the sphere, one a frame, seams, corners and poles included.
 void sphere_statistics(gpu::Renderer& renderer, const View& view, int count, FluxStatistics& statistics) {
