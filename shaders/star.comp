@@ -38,8 +38,6 @@ Box clipped(vec2 pixel, vec2 radius, vec2 first, vec2 last) {
   return Box(clamp(floor(pixel - radius), first, last), clamp(ceil(pixel + radius), first, last));
 }
 
-vec4 box_corners(Box box) { return vec4(box.low, box.high); }
-
 float box_sum(vec2 pixel, Box box, float sigma) {
   return psf_axis_sum(pixel.x, box.low.x, box.high.x, sigma) * psf_axis_sum(pixel.y, box.low.y, box.high.y, sigma);
 }
@@ -57,91 +55,122 @@ float face_sum(dvec3 direction, int rank, ProjectionFrame frame, float radius, f
 
 vec3 record_vec3(uint at) { return vec3(records[at], records[at + 1u], records[at + 2u]); }
 
-StarBillboard billboard(uint star, int copy) {
+// What all billboards of a star share.
+struct PlacedStar {
+  dvec3 direction; // unit vector in view axes
+  float sin_altitude;
+  uint key;     // of its random numbers
+  vec4 light;   // X, Y, Z, S illuminance behind the air, lux
+  float radius; // of the billboard, pixels
+  float sigma;  // of the default spread, pixels
+  float glare;  // cheap tier: intensity of the glare
+};
+
+PlacedStar place(uint star) {
   uint at = star * record_floats;
-  StarPlaceFrame place_frame =
-      StarPlaceFrame(block.years, block.observer_au, block.velocity_c, block.lorentz_inverse, block.sun_to_observer,
-                     block.solar_potential);
+  StarPlaceFrame frame = StarPlaceFrame(block.years, block.observer_au, block.velocity_c, block.lorentz_inverse,
+                                        block.sun_to_observer, block.solar_potential);
   dvec3 icrs = star_place(dvec3(record_vec3(at)), dvec3(record_vec3(at + 3u)), double(records[at + 6u]),
-                          double(records[at + 7u]), place_frame);
+                          double(records[at + 7u]), frame);
   dvec3 horizon = normalize(block.horizon_from_icrs * icrs);
-  dvec3 direction = block.view_from_horizon * horizon;
   float sin_altitude = float(horizon.z);
-
-  ProjectionFrame frame = ProjectionFrame(PROJECTION, block.size, block.focal);
-  int face = PROJECTION == projection_cubemap ? cube_face_by_rank(direction, copy) : 0;
-  dvec2 projected;
-  bool visible = project(direction, face, frame, projected);
-  StarBillboard result = StarBillboard(vec4(0.0), vec2(projected), vec2(1.0), vec4(0.0), vec4(0.0));
-  vec2 size = vec2(block.size);
-  if (!visible) {
-    return result;
-  }
-
   float path = optical_path(sin_altitude, block.observer_height_km);
   vec4 color = vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);
   vec4 light = records[at + 8u] * modulate_xyzs(color, extinction(block.optical_depth, path));
-  uint key = hash_pair(numbers[star], block.seed);
-
+  PlacedStar placed = PlacedStar(block.view_from_horizon * horizon, sin_altitude, hash_pair(numbers[star], block.seed),
+                                 light, 0.0, 0.0, 0.0);
 #ifdef CHEAP
   if (block.pupil_m > 0.0) {
-    light = modulate_xyzs(light, mueller_scintillation(key, block.frame_number, path));
+    placed.light = modulate_xyzs(light, mueller_scintillation(placed.key, block.frame_number, path));
   }
-  light *= mueller_day_fade(block.sun_sin_altitude);
-  result.glare.x = mueller_glare_intensity(magnitude_of(light.y), block.control_magnitude);
+  placed.light *= mueller_day_fade(block.sun_sin_altitude);
+  placed.glare = mueller_glare_intensity(magnitude_of(placed.light.y), block.control_magnitude);
   // The glare's billboard grows with the root of its intensity; the core keeps its size.
-  float radius = max(mueller_radius, min(1.5 * sqrt(result.glare.x), 24.0));
-  result.scale = vec2(1.0 / radius);
-  result.light = light / (mueller_volume * mueller_radius * mueller_radius);
-  vec2 first = PROJECTION == projection_cubemap ? vec2(0.0, float(face) * float(block.size.x)) : vec2(0.0);
-  vec2 last = PROJECTION == projection_cubemap ? first + vec2(float(block.size.x)) : vec2(block.size);
-  if (PROJECTION == projection_equirectangular && copy == 1) {
-    result.pixel.x += result.pixel.x < 0.5 * last.x ? last.x : -last.x;
-  }
-  result.box = box_corners(clipped(result.pixel, vec2(radius), first, last));
+  placed.radius = max(mueller_radius, min(1.5 * sqrt(placed.glare), 24.0));
 #else
-  float sigma = psf_sigma(light.y);
-  float radius = psf_cut(light.y) * sigma;
-  // Last, because the spread must not breathe with it.
+  // From the light without scintillation: the spread must not breathe with it.
+  placed.sigma = psf_sigma(light.y);
+  placed.radius = psf_cut(light.y) * placed.sigma;
+#endif
+  return placed;
+}
+
+// The light as the picture receives it. Costs more than all the rest: for stars in the picture only.
+vec4 received_light(PlacedStar star) {
+#ifndef CHEAP
   if (block.pupil_m > 0.0) {
-    light = modulate_xyzs(
-        light, scintillation(key, block.seconds, sin_altitude, block.exposure_s, block.pupil_m));
+    return modulate_xyzs(
+        star.light, scintillation(star.key, block.seconds, star.sin_altitude, block.exposure_s, block.pupil_m));
   }
-  result.scale = vec2(psf_scale(sigma));
+#endif
+  return star.light;
+}
+
+// One billboard for a star of unit light.
+StarBillboard billboard(PlacedStar star, int copy) {
+  ProjectionFrame frame = ProjectionFrame(PROJECTION, block.size, block.focal);
+  int face = PROJECTION == projection_cubemap ? cube_face_by_rank(star.direction, copy) : 0;
+  dvec2 projected;
+  bool visible = project(star.direction, face, frame, projected);
+  vec2 pixel = vec2(projected);
+  vec2 size = vec2(block.size);
+  vec2 first = PROJECTION == projection_cubemap ? vec2(0.0, float(face) * size.x) : vec2(0.0);
+  vec2 last = PROJECTION == projection_cubemap ? first + vec2(size.x) : size;
+  StarBillboard result = StarBillboard(vec4(0.0), pixel, vec2(1.0), vec4(0.0), vec4(star.glare, vec3(0.0)));
+  if (!visible) {
+    return result;
+  }
+  vec2 radius = vec2(star.radius);
+#ifdef CHEAP
+  result.scale = 1.0 / radius;
+  float sum = mueller_volume * mueller_radius * mueller_radius;
+#else
+  result.scale = vec2(psf_scale(star.sigma));
+  float sum;
   if (PROJECTION == projection_equirectangular) {
     // A round star is as wide as the picture at the pole. The sphere ends at the upper and lower edge: what the spread
     // would lose there stays in the rows that are left.
-    float cos_latitude = sqrt(max(1.0 - float(direction.y * direction.y), 0.0));
-    float wide_radius = min(radius / max(cos_latitude, 1.0e-6), 0.5 * size.x);
-    float wide_sigma = sigma * wide_radius / radius;
+    float cos_latitude = sqrt(max(1.0 - float(star.direction.y * star.direction.y), 0.0));
+    radius.x = min(star.radius / max(cos_latitude, 1.0e-6), 0.5 * size.x);
+    float wide_sigma = star.sigma * radius.x / star.radius;
     result.scale.x = psf_scale(wide_sigma);
-    Box box = clipped(result.pixel, vec2(wide_radius, radius), vec2(-size.x, 0.0), vec2(2.0 * size.x, size.y));
-    result.light = light / (psf_axis_sum(result.pixel.x, box.low.x, box.high.x, wide_sigma) *
-                          psf_axis_sum(result.pixel.y, box.low.y, box.high.y, sigma));
-    if (copy == 1) {
-      result.pixel.x += result.pixel.x < 0.5 * size.x ? size.x : -size.x;
-    }
-    result.box = box_corners(clipped(result.pixel, vec2(wide_radius, radius), vec2(0.0), size));
+    Box box = clipped(pixel, radius, vec2(-size.x, 0.0), vec2(2.0 * size.x, size.y));
+    sum = psf_axis_sum(pixel.x, box.low.x, box.high.x, wide_sigma) *
+          psf_axis_sum(pixel.y, box.low.y, box.high.y, star.sigma);
   } else if (PROJECTION == projection_cubemap) {
-    result.light = light / (face_sum(direction, 0, frame, radius, sigma) + face_sum(direction, 1, frame, radius, sigma) +
-                          face_sum(direction, 2, frame, radius, sigma));
-    vec2 first = vec2(0.0, float(face) * size.x);
-    result.box = box_corners(clipped(result.pixel, vec2(radius), first, first + vec2(size.x)));
+    sum = face_sum(star.direction, 0, frame, star.radius, star.sigma) +
+          face_sum(star.direction, 1, frame, star.radius, star.sigma) +
+          face_sum(star.direction, 2, frame, star.radius, star.sigma);
   } else {
-    vec2 spread = vec2(radius);
-    result.light = light / box_sum(result.pixel, Box(floor(result.pixel - spread), ceil(result.pixel + spread)), sigma);
-    result.box = box_corners(clipped(result.pixel, spread, vec2(0.0), size));
+    sum = box_sum(pixel, Box(floor(pixel - radius), ceil(pixel + radius)), star.sigma);
   }
 #endif
+  if (PROJECTION == projection_equirectangular && copy == 1) {
+    result.pixel.x += pixel.x < 0.5 * size.x ? size.x : -size.x;
+  }
+  Box box = clipped(result.pixel, radius, first, last);
+  result.box = vec4(box.low, box.high);
+  result.light = vec4(1.0 / sum);
   return result;
 }
 
 void main() {
-  uint star = gl_GlobalInvocationID.x;
-  if (star >= block.star_count) {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= block.star_count) {
     return;
   }
+  PlacedStar star = place(index);
+  vec4 light = vec4(0.0);
+  bool lit = false;
   for (int copy = 0; copy < block.copies; ++copy) {
-    billboards[star * uint(block.copies) + uint(copy)] = billboard(star, copy);
+    StarBillboard result = billboard(star, copy);
+    if (all(lessThan(result.box.xy, result.box.zw))) {
+      if (!lit) {
+        light = received_light(star);
+        lit = true;
+      }
+      result.light *= light;
+    }
+    billboards[index * uint(block.copies) + uint(copy)] = result;
   }
 }
