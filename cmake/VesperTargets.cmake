@@ -1,8 +1,5 @@
 # Targets of the house: one library per floor, warnings and sanitizers everywhere.
 
-add_library(vesper_options INTERFACE)
-target_compile_features(vesper_options INTERFACE cxx_std_20)
-
 set(VESPER_WARNINGS
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
     -Wcast-align -Woverloaded-virtual -Wnull-dereference)

@@ -2,7 +2,7 @@
 //
 // Rules for files in lib, so that both compilers accept them:
 // - constants, structs and pure functions only; no uniforms, no stage variables; textures are parameters
-// - functions start with FN; output parameters are written OUT(vec3) name
+// - constants start with CONSTANT, functions with FN; output parameters are written OUT(vec3) name
 // - literals are written Real(2.0), integers are converted explicitly, no swizzles (vec2(v), v.x)
 // - no includes: a stage, and all.inl for C++, name the files in dependency order
 // - PReal, PVec and PMat hold places on the sphere, where a float would cost 0.03 arcsec
@@ -11,6 +11,7 @@
 #define PVec2 dvec2
 #define PVec3 dvec3
 #define PMat3 dmat3
+#define CONSTANT const
 #define FN
 #define OUT(T) out T
 #define INOUT(T) inout T

@@ -1,5 +1,7 @@
 #include "vesper/assets/star_catalogue_check.hpp"
 
+#include "vesper/base/shader_math.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,8 +17,8 @@ constexpr const char* remedy = "Make the file again with vesper-catalog stars";
 // A unit vector rounded to floats is off by less than 1e-7; a proper motion by that much of its length.
 constexpr double unit_tolerance = 1e-6;
 // Illuminance of V = 0: that of an A0 star, times the lux ratio of any colour between deep blue and a carbon star.
-constexpr double least_v0_lux = 2.54e-6 * 0.9;
-constexpr double most_v0_lux = 2.54e-6 * 1.5;
+constexpr double least_v0_lux = 0.9 * f64::zero_magnitude_lux;
+constexpr double most_v0_lux = 1.5 * f64::zero_magnitude_lux;
 
 double dot(const std::array<float, 3>& a, const std::array<float, 3>& b) {
   return static_cast<double>(a[0]) * static_cast<double>(b[0]) + static_cast<double>(a[1]) * static_cast<double>(b[1]) +

@@ -50,7 +50,7 @@ EarthState earth_state(const Instant& instant, const Observer& observer) {
   double diurnal[2][3];
   eraPvtob(observer.longitude.to(rad), observer.latitude.to(rad), observer.height.to(metre), 0.0, 0.0, 0.0, sidereal,
            diurnal);
-  constexpr double au_m = 149597870700.0;
+  constexpr double au_m = astronomical_unit.to(metre);
   constexpr double seconds_per_day = 86400.0;
   const Mat3 icrs_from_equator_of_date = glm::transpose(state.equator_of_date_from_icrs);
   state.earth_to_observer_au = icrs_from_equator_of_date * (vector_of(diurnal[0]) / au_m);

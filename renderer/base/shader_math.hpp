@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#define CONSTANT inline constexpr
 #define FN inline
 #define OUT(T) T&
 #define INOUT(T) T&
@@ -21,6 +22,7 @@ using Real = double;
 #include "vesper/shaders/lib/all.inl"        // NOLINT(readability-duplicate-include)
 } // namespace vesper::f64
 
+#undef CONSTANT
 #undef FN
 #undef OUT
 #undef INOUT

@@ -65,8 +65,8 @@ std::array<std::array<double, 4>, 3> columns(const Mat3& matrix) {
 
 std::array<double, 3> array_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& plan) {
-  const f64::StarPlaceFrame place = place_frame(sky.stars);
+StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& plan, double epoch_jyear) {
+  const f64::StarPlaceFrame place = place_frame(sky.stars, epoch_jyear);
   const f64::ProjectionFrame projection = projection_frame(view);
   const AirOptions& air = plan.options.air;
   StarBlock block{};
@@ -128,6 +128,7 @@ StarPass::StarPass(const ShaderLibrary& library)
 
 void StarPass::load(const StarCatalogue& catalogue) {
   billboards_ = Buffer();
+  epoch_jyear_ = catalogue.provenance.epoch_jyear;
   if (catalogue.stars.empty()) {
     return;
   }
@@ -152,7 +153,7 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
     defines.emplace_back("CONSTANT_COLOR");
   }
   draw_program_ = &draw_programs_.get(defines);
-  update_buffer(uniforms_, bytes_of(star_block(sky, view, plan)));
+  update_buffer(uniforms_, bytes_of(star_block(sky, view, plan, epoch_jyear_)));
 
   glUseProgram(place_program.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());

@@ -41,6 +41,7 @@ private:
   VertexArray vertices_;
   const ProgramHandle* draw_program_ = nullptr;
   std::size_t instances_ = 0;
+  double epoch_jyear_ = 2000.0;
 };
 
 } // namespace vesper::gpu

@@ -1,14 +1,14 @@
 // V magnitudes and lux.
 #pragma once
 
+#include "vesper/base/shader_math.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/light/spectrum.hpp"
 
 namespace vesper {
 
-/// Illuminance above the atmosphere of an A0 star (B-V = 0) of V = 0 (Allen, Astrophysical Quantities; authors differ
-/// from 2.52e-6 to 2.65e-6 lx).
-inline constexpr Illuminance v0_a0_illuminance = 2.54e-6 * lux;
+/// Illuminance above the atmosphere of an A0 star (B-V = 0) of V = 0; the source stands beside the constant.
+inline constexpr Illuminance v0_a0_illuminance = f64::zero_magnitude_lux * lux;
 
 /// Lux per unit of V-band flux: the photopic integral of the spectrum over its integral through the V band, lm/W. The
 /// eye and the V band are not the same, so stars of one V magnitude differ in lux with their colour.

@@ -1,8 +1,8 @@
 // Extinction along an optical path through a spherical shell of constant density (Buchholz in Mueller et al. 2012,
 // eq. 11 and 12), in the form that holds at the zenith, below the horizon and at any height.
 
-const Real earth_radius_km = Real(6371.0);
-const Real air_scale_height_km = Real(8.0);
+CONSTANT Real earth_radius_km = Real(6371.0);
+CONSTANT Real air_scale_height_km = Real(8.0);
 
 // Path to the top of the homogeneous shell above a point at radius r, over the shell's thickness, for a sine of
 // altitude >= 0: 1 at the zenith, about 40 at the horizon.
@@ -29,7 +29,7 @@ FN Real optical_path(Real sin_altitude, Real height_km) {
 }
 
 // The response X has two lobes: its blue one is this share of Z (CIE 1931: 0.348 at 442 nm against 1.78).
-const Real short_lobe_of_x = Real(0.1955);
+CONSTANT Real short_lobe_of_x = Real(0.1955);
 
 // Light in X, Y, Z, S times factors that were found for one wavelength each (about 600, 555, 450 and 507 nm). The blue
 // lobe of X goes with Z: without that a reddened star would turn pink.

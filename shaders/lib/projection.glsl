@@ -1,11 +1,11 @@
 // Projections of the sphere onto a picture. Directions are in view axes: x right, y up, z forward. Pixels count from
 // the top left corner, y down; the centre of the first pixel is (0.5, 0.5).
 
-const int projection_perspective = 0;     // gnomonic, focal length in pixels per unit tangent
-const int projection_fisheye = 1;         // azimuthal equidistant, pixels per radian
-const int projection_stereographic = 2;   // conformal, pixels per radian at the centre
-const int projection_equirectangular = 3; // longitude and latitude about the view direction
-const int projection_cubemap = 4;         // six gnomonic faces stacked in OpenEXR's order
+CONSTANT int projection_perspective = 0;     // gnomonic, focal length in pixels per unit tangent
+CONSTANT int projection_fisheye = 1;         // azimuthal equidistant, pixels per radian
+CONSTANT int projection_stereographic = 2;   // conformal, pixels per radian at the centre
+CONSTANT int projection_equirectangular = 3; // longitude and latitude about the view direction
+CONSTANT int projection_cubemap = 4;         // six gnomonic faces stacked in OpenEXR's order
 
 struct ProjectionFrame {
   int kind;
@@ -13,7 +13,7 @@ struct ProjectionFrame {
   PReal focal; // pixels per unit, see above; half a face for the cube map, unused by the equirectangular map
 };
 
-const Real pi = Real(3.14159265358979);
+CONSTANT Real pi = Real(3.14159265358979);
 
 // The angle atan2(y, x) for y >= 0, in [0, pi], from algebraic operations alone: GLSL has no double-precision
 // trigonometry. Four half-angle steps, then the series; error below 1e-13 in double precision.

@@ -4,16 +4,16 @@
 // Fresnel zone, as a sum of ripples with fixed frequencies, so that it is a smooth function of time, the same for a
 // given star, seed and instant on any machine, and can be averaged over an exposure exactly.
 
-const int scintillation_ripples = 16;
-const Real scintillation_frequency_unit = Real(3.0517578125e-5); // 2^-15 Hz
+CONSTANT int scintillation_ripples = 16;
+CONSTANT Real scintillation_frequency_unit = Real(3.0517578125e-5); // 2^-15 Hz
 
 // Integral of C_n^2(h) h^(5/6) dh, m^(7/6), of the Hufnagel-Valley profile with an upper wind of 14 m/s and a ground
 // term of 1.7e-14 m^(-2/3): the zenith then scintillates by 0.38 rms at 555 nm, inside the range 0.2 to 0.4 that
 // observers give for a pupil of 7 mm.
-const Real turbulence_moment = Real(3.77e-10);
+CONSTANT Real turbulence_moment = Real(3.77e-10);
 // Height of that moment's centre and wind there; they set the ripples' frequencies and the colours' separation.
-const Real turbulence_height_m = Real(5500.0);
-const Real turbulence_wind_m_s = Real(14.0);
+CONSTANT Real turbulence_height_m = Real(5500.0);
+CONSTANT Real turbulence_wind_m_s = Real(14.0);
 
 // Wavelengths that stand for X, Y, Z and S, metres.
 FN vec4 scintillation_wavelengths() { return vec4(Real(600.0e-9), Real(555.0e-9), Real(450.0e-9), Real(507.0e-9)); }

@@ -14,9 +14,9 @@ struct StarPlaceFrame {
 };
 
 // Schwarzschild radius of the Sun in astronomical units (2GM/c^2/au, IAU 2009 constants).
-const Real schwarzschild_radius_sun_au = Real(1.97412574336e-8);
+CONSTANT Real schwarzschild_radius_sun_au = Real(1.97412574336e-8);
 // One astronomical unit per Julian year, in km/s.
-const Real km_s_per_au_year = Real(4.740470464);
+CONSTANT Real km_s_per_au_year = Real(4.740470464);
 
 // Space motion and annual parallax: uniform rectilinear motion, no light-time within the catalogue's span
 // (Explanatory Supplement, 3rd ed., sec. 7.2). Unit vectors and radians per year in, unit vector out.

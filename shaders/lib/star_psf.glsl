@@ -20,9 +20,9 @@ FN Real psf_axis_sum(Real centre, Real low, Real high, Real sigma) {
   return sum;
 }
 
-// Illuminance of a V = 0 star of type A0 above the atmosphere, lux; the twin of light/photometry.hpp, where the source
-// stands. Here it only anchors sizes.
-const Real zero_magnitude_lux = Real(2.54e-6);
+// Illuminance above the atmosphere of an A0 star (B-V = 0) of V = 0, lux (Allen, Astrophysical Quantities; authors differ
+// from 2.52e-6 to 2.65e-6).
+CONSTANT Real zero_magnitude_lux = Real(2.54e-6);
 
 FN Real magnitude_of(Real illuminance_lux) {
   return Real(-2.5 / 2.302585092994046) * log(max(illuminance_lux, Real(1.0e-30)) / zero_magnitude_lux);
@@ -30,8 +30,8 @@ FN Real magnitude_of(Real illuminance_lux) {
 
 // Standard deviation of the smallest spread, pixels: the brightest pixel then changes by no more than a factor of 1.5
 // while a star moves across the grid.
-const Real smallest_psf_sigma = Real(0.8);
-const Real largest_psf_sigma = Real(2.2);
+CONSTANT Real smallest_psf_sigma = Real(0.8);
+CONSTANT Real largest_psf_sigma = Real(2.2);
 
 // Standard deviation by brightness, pixels. Tuned by eye so that the constellations read as on a printed chart: each
 // magnitude brighter than V = 4 adds 0.25 pixels.
@@ -48,9 +48,9 @@ FN Real psf_cut(Real illuminance_lux) {
 
 // Mueller et al. 2012, sec. 4.2 (cheap tier). T(l) on the unit disc; its volume is 0.3 pi, not the 1.167 printed there,
 // which belongs to the curve turned about the other axis.
-const Real mueller_volume = Real(0.942477796076938);
+CONSTANT Real mueller_volume = Real(0.942477796076938);
 // Radius of its billboard, pixels: the least that does not flicker, as recommended there.
-const Real mueller_radius = Real(2.0);
+CONSTANT Real mueller_radius = Real(2.0);
 
 FN Real mueller_intensity_psf(Real l) {
   Real u = clamp(l, Real(0.0), Real(1.0));

@@ -107,6 +107,23 @@ TEST_F(Frames, TheGroundHidesWhatIsBelowTheHorizonAndNothingElse) {
   }
 }
 
+TEST_F(Frames, MotionCountsFromTheCataloguesEpoch) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 20.0 * deg;
+  view.width = view.height = 200;
+  StarRecord star = white_star(Vec3(0.0, 0.0, 1.0), 2.54e-7);
+  star.proper_motion = {1.0e-3F, 0.0F, 0.0F};
+  StarCatalogue catalogue = catalogue_of({star});
+  catalogue.provenance.epoch_jyear = 1950.0;
+  renderer.load(catalogue);
+  const SkyState sky = still_sky(); // at J2000.0
+  const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, catalogue.stars, bare_stars()));
+  // Fifty years on: atan(0.05) towards the east, which is on the left.
+  const int column = static_cast<int>(100.0 - projection_frame(view).focal * 0.05);
+  EXPECT_GT(illuminance_in(frame, view, column - 6, 94, 13, 13), 0.99 * 2.54e-7);
+}
+
 TEST_F(Frames, TheHorizonDipsForAHighObserver) {
   SkyState sky = still_sky();
   sky.observer.height = 10000.0 * metre;
