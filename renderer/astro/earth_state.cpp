@@ -26,20 +26,15 @@ Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 } // namespace
 
-EarthState earth_state(const Instant& instant, const Observer& observer) {
+EarthState earth_state(const Instant& instant, const Observer& observer, Tier tier) {
   EarthState state;
   state.instant = instant;
   state.observer = observer;
   const JulianDate<TT>& tt = instant.tt;
 
-  // TDB differs from TT by less than 2 ms, 60 m of the Earth's way.
-  double heliocentric[2][3];
-  double barycentric[2][3];
-  eraEpv00(tt.day, tt.fraction, heliocentric, barycentric); // its warning outside 1900 to 2100 is in the docstring
-  state.sun_to_earth_au = vector_of(heliocentric[0]);
-  state.earth_barycentric_au = vector_of(barycentric[0]);
-  state.earth_velocity_au_d = vector_of(barycentric[1]);
-  state.sun_velocity_au_d = state.earth_velocity_au_d - vector_of(heliocentric[1]);
+  state.tier = tier;
+  state.tdb = tdb_from_tt(tt);
+  state.bodies = sun_earth_moon(state.tdb, tier);
 
   Rows of_date;
   eraPnm06a(tt.day, tt.fraction, of_date);

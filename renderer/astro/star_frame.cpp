@@ -55,10 +55,11 @@ Mat3 horizon_from_equator(Angle latitude, double sidereal_time_rad) {
 StarFrame star_frame(const EarthState& earth) {
   StarFrame frame;
   frame.years_since_j2000 = earth.instant.tt.days_since(j2000_tt) / days_per_year;
-  frame.observer_barycentric_au = earth.earth_barycentric_au + earth.earth_to_observer_au;
-  frame.observer_velocity_c = (earth.earth_velocity_au_d + earth.observer_velocity_au_d) / light_speed_au_d;
+  frame.observer_barycentric_au = earth.bodies.earth.position_au + earth.earth_to_observer_au;
+  frame.observer_velocity_c = (earth.bodies.earth.velocity_au_d + earth.observer_velocity_au_d) / light_speed_au_d;
   frame.lorentz_inverse = std::sqrt(1.0 - glm::dot(frame.observer_velocity_c, frame.observer_velocity_c));
-  const Vec3 sun_to_observer = earth.sun_to_earth_au + earth.earth_to_observer_au;
+  const Vec3 sun_to_observer =
+      earth.bodies.earth.position_au - earth.bodies.sun.position_au + earth.earth_to_observer_au;
   frame.sun_distance_au = glm::length(sun_to_observer);
   frame.sun_to_observer = sun_to_observer / frame.sun_distance_au;
   frame.solar_deflection = true;

@@ -3,13 +3,11 @@
 
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/observer.hpp"
+#include "vesper/astro/tier.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/vector.hpp"
 
 namespace vesper {
-
-/// Model tiers that all programs name `cheap`, `default` and `reference`.
-enum class Tier { cheap, standard, reference };
 
 /// The Earth's part in a star's topocentric apparent place, all in ICRS axes unless named otherwise.
 struct StarFrame {

@@ -7,6 +7,8 @@
 
 #include <erfa.h>
 
+#include <cmath>
+
 namespace vesper {
 namespace {
 
@@ -57,6 +59,15 @@ Instant instant_from_utc(JulianDate<UTC> utc) {
     throw Error(ErrorKind::argument, "the date cannot be converted from UTC");
   }
   return instant_from_tt({tt1, tt2});
+}
+
+JulianDate<TDB> tdb_from_tt(JulianDate<TT> tt) {
+  const double t = tt.days_since({2451545.0, 0.0}) / 36525.0;
+  const double difference_s = 0.001657 * std::sin(628.3076 * t + 6.2401) + 0.000022 * std::sin(575.3385 * t + 4.2970) +
+                              0.000014 * std::sin(1256.6152 * t + 6.1969) + 0.000005 * std::sin(606.9777 * t + 4.0212) +
+                              0.000005 * std::sin(52.9691 * t + 0.4444) + 0.000002 * std::sin(21.3299 * t + 5.5431) +
+                              0.000010 * t * std::sin(628.3076 * t + 4.2490);
+  return {tt.day, tt.fraction + difference_s / seconds_per_day};
 }
 
 Instant later(const Instant& instant, double seconds) {

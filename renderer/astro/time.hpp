@@ -52,6 +52,10 @@ enum class TimeScale { utc, ut1, tt };
 /// The instant of given TT and UT1, for callers with their own Earth rotation.
 [[nodiscard]] Instant instant_from(JulianDate<TT> tt, JulianDate<UT1> ut1);
 
+/// Barycentric Dynamical Time at the Earth's centre, within 10 microseconds from 1600 to 2200: the seven largest terms
+/// of Fairhead and Bretagnon 1990 as printed in the USNO Circular 179, eq. 2.6.
+[[nodiscard]] JulianDate<TDB> tdb_from_tt(JulianDate<TT> tt);
+
 /// An instant `seconds` of TT later.
 [[nodiscard]] Instant later(const Instant& instant, double seconds);
 

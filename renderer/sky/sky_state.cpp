@@ -1,8 +1,8 @@
 #include "vesper/sky/sky_state.hpp"
 
+#include "vesper/astro/body_place.hpp"
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/star_place.hpp"
-#include "vesper/astro/sun_moon.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,0 +1,15 @@
+// Sun, Moon and planets as seen from a place on the Earth.
+#pragma once
+
+#include "vesper/astro/earth_state.hpp"
+#include "vesper/base/vector.hpp"
+
+namespace vesper {
+
+/// From the observer now to where the body was when the light that arrives left it: au along ICRS axes, before
+/// aberration.
+[[nodiscard]] Vec3 sun_from_observer_au(const EarthState& earth);
+[[nodiscard]] Vec3 moon_from_observer_au(const EarthState& earth);
+[[nodiscard]] Vec3 planet_from_observer_au(Planet planet, const EarthState& earth);
+
+} // namespace vesper

@@ -1,0 +1,31 @@
+// Places and velocities of the bodies of the solar system, geometric, along ICRS axes.
+#pragma once
+
+#include "vesper/astro/tier.hpp"
+#include "vesper/astro/time.hpp"
+#include "vesper/base/vector.hpp"
+
+namespace vesper {
+
+/// Position in au and velocity in au a day along ICRS axes.
+struct StateVector {
+  Vec3 position_au{};
+  Vec3 velocity_au_d{};
+};
+
+struct SunEarthMoon {
+  StateVector sun;   ///< barycentric
+  StateVector earth; ///< barycentric
+  StateVector moon;  ///< from the centre of the Earth
+};
+
+enum class Planet { mercury, venus, mars, jupiter, saturn, uranus, neptune };
+inline constexpr int planet_count = 7;
+
+/// Sun, Earth and Moon at one instant.
+[[nodiscard]] SunEarthMoon sun_earth_moon(JulianDate<TDB> tdb, Tier tier = Tier::standard);
+
+/// A planet (its system's barycentre for those with large moons) from the Sun.
+[[nodiscard]] StateVector planet_heliocentric(Planet planet, JulianDate<TDB> tdb, Tier tier = Tier::standard);
+
+} // namespace vesper
