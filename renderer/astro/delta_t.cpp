@@ -127,7 +127,54 @@ double long_term(double year) {
   return s_per_ms_day * (0.5 * linear_ms * t * t + periodic_ms / frequency * std::cos(frequency * (t + phase_cy)));
 }
 
+struct Uncertainty {
+  double year, seconds;
+};
+// HM Nautical Almanac Office, the error estimates beside table S15 (2020).
+constexpr std::array uncertainties{
+    Uncertainty{-2000, 1080}, Uncertainty{-1600, 720}, Uncertainty{-900, 360}, Uncertainty{-720, 180},
+    Uncertainty{-700, 170},   Uncertainty{-600, 160},  Uncertainty{-500, 150}, Uncertainty{-400, 130},
+    Uncertainty{-300, 120},   Uncertainty{-200, 110},  Uncertainty{-100, 100}, Uncertainty{0, 90},
+    Uncertainty{100, 80},     Uncertainty{200, 70},    Uncertainty{300, 60},   Uncertainty{400, 50},
+    Uncertainty{500, 40},     Uncertainty{700, 30},    Uncertainty{800, 25},   Uncertainty{900, 20},
+    Uncertainty{1000, 15},    Uncertainty{1620, 20},   Uncertainty{1660, 15},  Uncertainty{1670, 10},
+    Uncertainty{1680, 5},     Uncertainty{1730, 2},    Uncertainty{1770, 1},   Uncertainty{1800, 0.5},
+    Uncertainty{1802, 0.4},   Uncertainty{1805, 0.3},  Uncertainty{1809, 0.2}, Uncertainty{1831, 0.1},
+    Uncertainty{1870, 0.05},  Uncertainty{2022, 0.1},  Uncertainty{2023, 1},   Uncertainty{2030, 2},
+    Uncertainty{2040, 4},     Uncertainty{2050, 6},    Uncertainty{2100, 10},  Uncertainty{2200, 20},
+    Uncertainty{2300, 30},    Uncertainty{2400, 50},   Uncertainty{2500, 100},
+};
+
 } // namespace
+
+double delta_t_uncertainty_s(JulianDate<TT> tt) {
+  constexpr double observed_error_s = 0.01;
+  const double jd = tt.value();
+  if (jd >= observed_begin_jd && jd <= observed_end_jd) {
+    return observed_error_s;
+  }
+  const double year = year_of(jd);
+  // Huber 2000 (Brownian motion of the length of day), for predictions of some decades.
+  const double lead_years = year - year_of(observed_end_jd);
+  const double huber_s =
+      0.36525 * lead_years * std::sqrt(std::max(lead_years, 0.0) * 0.058 / 3.0 * (1.0 + lead_years / 2500.0));
+  const auto grown = [year](const Uncertainty& from) {
+    const double ratio = (year - 1825.0) / (from.year - 1825.0);
+    return from.seconds * ratio * ratio;
+  };
+  if (year <= uncertainties.front().year) {
+    return grown(uncertainties.front());
+  }
+  if (year >= uncertainties.back().year) {
+    return grown(uncertainties.back());
+  }
+  const auto* const after = std::upper_bound(uncertainties.begin(), uncertainties.end(), year,
+                                             [](double y, const Uncertainty& u) { return y < u.year; });
+  const auto* const before = after - 1;
+  const double published =
+      std::lerp(before->seconds, after->seconds, (year - before->year) / (after->year - before->year));
+  return lead_years > 0.0 ? std::min(published, observed_error_s + huber_s) : published;
+}
 
 double delta_t_s(JulianDate<TT> tt) {
   const double jd = tt.value();

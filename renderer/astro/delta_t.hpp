@@ -14,4 +14,10 @@ namespace vesper {
 ///   centuries since 1825), integrated and joined to the neighbour; in 2050 about 71.6 s, uncertain by seconds.
 [[nodiscard]] double delta_t_s(JulianDate<TT> tt);
 
+/// Standard error of `delta_t_s` in seconds: the estimates that accompany the same paper, from 1080 s in -2000 over 0.1
+/// s about 1831 to 100 s in 2500, linear between its years; outside growing with the square of the time from 1825. The
+/// monthly values are good to 0.01 s, and for some decades after them the estimate of Huber 2000 (0.36525 t
+/// sqrt(0.058 t / 3 (1 + t / 2500)) s after t years) is smaller and taken.
+[[nodiscard]] double delta_t_uncertainty_s(JulianDate<TT> tt);
+
 } // namespace vesper

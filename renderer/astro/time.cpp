@@ -1,7 +1,6 @@
 #include "vesper/astro/time.hpp"
 
 #include "vesper/astro/delta_t.hpp"
-#include "vesper/astro/utc.hpp"
 
 #include "vesper/base/error.hpp"
 
@@ -20,8 +19,23 @@ constexpr double utc_end_jd = 2461406.5;
 
 } // namespace
 
-bool utc_is_defined(double day, double fraction) {
-  return (day - utc_begin_jd) + fraction >= 0.0 && (day - utc_end_jd) + fraction < 0.0;
+bool utc_is_defined(JulianDate<UTC> utc) {
+  return utc.days_since({utc_begin_jd, 0.0}) >= 0.0 && utc.days_since({utc_end_jd, 0.0}) < 0.0;
+}
+
+std::optional<JulianDate<UTC>> utc_of(const Instant& instant) {
+  // UT1 and UTC differ by less than a second where UTC is known: dates far outside never reach the conversion.
+  if (!utc_is_defined({instant.ut1.day, instant.ut1.fraction + 1.0 / seconds_per_day})) {
+    return std::nullopt;
+  }
+  double tai1 = 0.0;
+  double tai2 = 0.0;
+  JulianDate<UTC> utc;
+  if (eraTttai(instant.tt.day, instant.tt.fraction, &tai1, &tai2) != 0 ||
+      eraTaiutc(tai1, tai2, &utc.day, &utc.fraction) < 0 || !utc_is_defined(utc)) {
+    return std::nullopt;
+  }
+  return utc;
 }
 
 Instant instant_from(JulianDate<TT> tt, JulianDate<UT1> ut1) {
@@ -45,7 +59,7 @@ Instant instant_from_ut1(JulianDate<UT1> ut1) {
 }
 
 Instant instant_from_utc(JulianDate<UTC> utc) {
-  if (!utc_is_defined(utc.day, utc.fraction)) {
+  if (!utc_is_defined(utc)) {
     Instant instant = instant_from_ut1({utc.day, utc.fraction});
     instant.note = "The time lies outside the leap seconds known (1972 to 2026): taken as UT1, with TT from Delta-T";
     return instant;

@@ -1,8 +1,12 @@
 // Time scales and the instant of a scene.
 #pragma once
 
+#include "vesper/astro/calendar.hpp"
+
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vesper {
 
@@ -41,13 +45,26 @@ enum class TimeScale { utc, ut1, tt };
 /// Parses "2026-08-12T22:00:00Z", "JD2461265.4" or "now".
 ///
 /// Of a stamp the time of day, its seconds, their fraction and the 'Z' may be left out, and a space may stand for the
-/// 'T'. The calendar is the proleptic Gregorian one; years run from -4712 to 9999, those before 0 as "-0500". In UTC
-/// 23:59:60 is a leap second's name and allowed only there. `scale` applies to stamps (with or without 'Z') and Julian
-/// dates; "now" is the computer's clock.
+/// 'T'. Its date is of `calendar`, by default the proleptic Gregorian one as ISO 8601 has it; years run from -4712 to
+/// 9999, those before 0 as "-0500", and 0 is 1 BC. In UTC 23:59:60 is a leap second's name and allowed only there.
+/// `scale` applies to stamps (with or without 'Z') and Julian dates; "now" is the computer's clock.
 ///
 /// A UTC stamp before 1972-01-01 or from 2027-01-01 on, where no leap second is known, is taken as UT1, with TT from
 /// Delta-T; the result's `note` says so. Throws Error(argument) naming what is wrong and the allowed form.
-[[nodiscard]] Instant parse_instant(std::string_view text, TimeScale scale = TimeScale::utc);
+[[nodiscard]] Instant parse_instant(std::string_view text, TimeScale scale = TimeScale::utc,
+                                    Calendar calendar = Calendar::gregorian);
+
+/// UT1 by Delta-T.
+[[nodiscard]] Instant instant_from_tt(JulianDate<TT> tt);
+/// TT by Delta-T.
+[[nodiscard]] Instant instant_from_ut1(JulianDate<UT1> ut1);
+/// TT by leap seconds and UT1 by Delta-T; outside the known leap seconds as UT1, said in `note`.
+[[nodiscard]] Instant instant_from_utc(JulianDate<UTC> utc);
+
+/// Whether leap seconds are known at a Julian date of UTC: 1972-01-01 to 2026-12-31.
+[[nodiscard]] bool utc_is_defined(JulianDate<UTC> utc);
+/// UTC by leap seconds, where they are known.
+[[nodiscard]] std::optional<JulianDate<UTC>> utc_of(const Instant& instant);
 
 /// The instant of given TT and UT1, for callers with their own Earth rotation.
 [[nodiscard]] Instant instant_from(JulianDate<TT> tt, JulianDate<UT1> ut1);
@@ -59,7 +76,12 @@ enum class TimeScale { utc, ut1, tt };
 /// An instant `seconds` of TT later.
 [[nodiscard]] Instant later(const Instant& instant, double seconds);
 
-/// ISO 8601 to the millisecond, in UTC where the leap-second table covers it ("...Z"), else in UT1 ("... UT1").
-[[nodiscard]] std::string to_iso8601(const Instant& instant);
+/// ISO 8601 to the millisecond, in UTC where the leap-second table covers it ("...Z"), else in UT1 ("... UT1"); dates
+/// of the proleptic Gregorian calendar unless told otherwise.
+[[nodiscard]] std::string to_iso8601(const Instant& instant, Calendar calendar = Calendar::gregorian);
+
+/// Sentences that a report about this instant owes its reader: a stamp taken as UT1, an uncertain rotation of the
+/// Earth, a date before the Gregorian calendar with its name in the Julian one.
+[[nodiscard]] std::vector<std::string> time_remarks(const Instant& instant);
 
 } // namespace vesper

@@ -1,6 +1,6 @@
 #include "vesper/astro/time.hpp"
 
-#include "vesper/astro/utc.hpp"
+#include "vesper/astro/delta_t.hpp"
 
 #include "vesper/base/error.hpp"
 
@@ -72,9 +72,7 @@ private:
 };
 
 struct Stamp {
-  int year = 0;
-  int month = 1;
-  int day = 1;
+  CalendarDate date;
   int hour = 0;
   int minute = 0;
   double second = 0.0;
@@ -98,16 +96,16 @@ Stamp read_stamp(std::string_view text) {
   StampReader reader(text);
   Stamp stamp;
   const bool negative = reader.accept('-');
-  stamp.year = reader.field("year", 4, 0, negative ? 4712 : 9999);
-  stamp.year = negative ? -stamp.year : stamp.year;
+  stamp.date.year = reader.field("year", 4, 0, negative ? 4712 : 9999);
+  stamp.date.year = negative ? -stamp.date.year : stamp.date.year;
   if (!reader.accept('-')) {
     fail(text, "'-' and the month must follow the year");
   }
-  stamp.month = reader.field("month", 2, 1, 12);
+  stamp.date.month = reader.field("month", 2, 1, 12);
   if (!reader.accept('-')) {
     fail(text, "'-' and the day must follow the month");
   }
-  stamp.day = reader.field("day", 2, 1, 31);
+  stamp.date.day = reader.field("day", 2, 1, 31);
   if (!reader.done() && reader.rest() != "Z") {
     if (!reader.accept('T') && !reader.accept(' ')) {
       fail(text, fmt::format("'T' and a time of day must follow the date, not '{}'", reader.rest()));
@@ -133,16 +131,17 @@ Instant instant_of(double day, double fraction, TimeScale scale) {
   return instant_from_utc({day, fraction});
 }
 
-Instant parse_stamp(std::string_view text, TimeScale scale) {
+Instant parse_stamp(std::string_view text, TimeScale scale, Calendar calendar) {
   const Stamp stamp = read_stamp(text);
+  if (stamp.date.day > days_in_month(stamp.date.year, stamp.date.month, calendar)) {
+    fail(text, fmt::format("month {} has no day {}", stamp.date.month, stamp.date.day));
+  }
+  const double midnight = midnight_jd(stamp.date, calendar);
+  const bool leap_seconds = scale == TimeScale::utc && utc_is_defined({midnight, 0.0});
+  const CalendarDate date = date_of_midnight(midnight, Calendar::gregorian);
   double day = 0.0;
   double fraction = 0.0;
-  if (eraCal2jd(stamp.year, stamp.month, stamp.day, &day, &fraction) != 0) {
-    fail(text, fmt::format("month {} has no day {}", stamp.month, stamp.day));
-  }
-  const double midnight = day + fraction;
-  const bool leap_seconds = scale == TimeScale::utc && utc_is_defined(midnight, 0.0);
-  const int status = eraDtf2d(leap_seconds ? "UTC" : "TT", stamp.year, stamp.month, stamp.day, stamp.hour, stamp.minute,
+  const int status = eraDtf2d(leap_seconds ? "UTC" : "TT", date.year, date.month, date.day, stamp.hour, stamp.minute,
                               stamp.second, &day, &fraction);
   // +1 says that the library is older than the date, +2 that the second lies beyond the end of the minute or day.
   if (status < 0 || status > 1 || (stamp.second >= 60.0 && !(stamp.hour == 23 && stamp.minute == 59 && leap_seconds))) {
@@ -178,37 +177,45 @@ Instant instant_now() {
 
 } // namespace
 
-Instant parse_instant(std::string_view text, TimeScale scale) {
+Instant parse_instant(std::string_view text, TimeScale scale, Calendar calendar) {
   if (text == "now") {
     return instant_now();
   }
-  return text.starts_with("JD") ? parse_julian_date(text, scale) : parse_stamp(text, scale);
+  return text.starts_with("JD") ? parse_julian_date(text, scale) : parse_stamp(text, scale, calendar);
 }
 
-std::string to_iso8601(const Instant& instant) {
-  double day = instant.ut1.day;
-  double fraction = instant.ut1.fraction;
-  double tai1 = 0.0;
-  double tai2 = 0.0;
-  double utc1 = 0.0;
-  double utc2 = 0.0;
-  // UT1 and UTC differ by less than a second: the border between them is drawn in UTC itself.
-  const bool near_utc = utc_is_defined(day, fraction + 1.0 / seconds_per_day);
-  const bool is_utc = near_utc && eraTttai(instant.tt.day, instant.tt.fraction, &tai1, &tai2) == 0 &&
-                      eraTaiutc(tai1, tai2, &utc1, &utc2) >= 0 && utc_is_defined(utc1, utc2);
-  if (is_utc) {
-    day = utc1;
-    fraction = utc2;
-  }
-  int year = 0;
-  int month = 0;
-  int day_of_month = 0;
+std::string to_iso8601(const Instant& instant, Calendar calendar) {
+  const std::optional<JulianDate<UTC>> utc = utc_of(instant);
+  const double day = utc ? utc->day : instant.ut1.day;
+  const double fraction = utc ? utc->fraction : instant.ut1.fraction;
+  CalendarDate date;
   std::array<int, 4> time{};
-  if (eraD2dtf(is_utc ? "UTC" : "UT1", 3, day, fraction, &year, &month, &day_of_month, time.data()) < 0) {
+  if (eraD2dtf(utc ? "UTC" : "UT1", 3, day, fraction, &date.year, &date.month, &date.day, time.data()) < 0) {
     throw Error(ErrorKind::argument, fmt::format("Julian date {} has no calendar date", instant.ut1.value()));
   }
-  return fmt::format("{}{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}{}", year < 0 ? "-" : "", std::abs(year), month,
-                     day_of_month, time[0], time[1], time[2], time[3], is_utc ? "Z" : " UT1");
+  if (calendar == Calendar::julian) {
+    date = date_of_midnight(midnight_jd(date, Calendar::gregorian), calendar);
+  }
+  return fmt::format("{}{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:03}{}", date.year < 0 ? "-" : "", std::abs(date.year),
+                     date.month, date.day, time[0], time[1], time[2], time[3], utc ? "Z" : " UT1");
+}
+
+std::vector<std::string> time_remarks(const Instant& instant) {
+  std::vector<std::string> remarks;
+  if (!instant.note.empty()) {
+    remarks.push_back(instant.note);
+  }
+  const double uncertainty_s = delta_t_uncertainty_s(instant.tt);
+  if (uncertainty_s >= 1.0) {
+    // The sky turns by 15 arcsec a second of UT1; in a day's name of UT1 the Moon moves by 0.5 arcsec a second of TT.
+    remarks.push_back(fmt::format("The Earth's rotation is known to about {:.2g} s at this date (Delta-T = {:.0f} s)",
+                                  uncertainty_s, instant.delta_t_s));
+  }
+  if (instant.ut1.days_since({gregorian_reform_jd, 0.0}) < 0.0) {
+    remarks.push_back("The date is of the proleptic Gregorian calendar; in the Julian calendar " +
+                      to_iso8601(instant, Calendar::julian).substr(0, instant.ut1.value() < 1721057.5 ? 11 : 10));
+  }
+  return remarks;
 }
 
 } // namespace vesper

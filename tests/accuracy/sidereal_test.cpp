@@ -4,6 +4,7 @@
 #include "vesper/astro/delta_t.hpp"
 #include "vesper/astro/earth_state.hpp"
 
+#include <erfa.h>
 #include <gtest/gtest.h>
 
 namespace vesper {
@@ -39,6 +40,7 @@ TEST(DeltaT, MatchesTheReference) {
   const CsvTable table = test::truth_table("deltat.csv");
   ErrorSum observed;
   ErrorSum historic;
+  ErrorSum in_bands;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const TruthRow row(table, i);
     // The table's value for 2026.5 is a prediction; the observation is 0.037 s above it.
@@ -48,13 +50,37 @@ TEST(DeltaT, MatchesTheReference) {
       observed.add(error);
     } else if (!prediction) {
       historic.add(error);
+      in_bands.add(error / delta_t_uncertainty_s({row.number("jd_tt"), 0.0}));
     }
   }
-  observed.print("Delta-T against IERS, 1973.5 to 2026.0", "s");
-  historic.print("Delta-T against the splines, -500 to 1973", "s");
+  observed.print("Delta-T, 1973.5 to 2026.0, against IERS", "s");
+  historic.print("Delta-T, -500 to 1973, against the splines of Morrison et al. 2021", "s");
+  in_bands.print("the same", "published standard errors");
   EXPECT_LT(observed.worst(), 0.005);
   EXPECT_LT(historic.worst(), 0.05);
+  EXPECT_LT(in_bands.worst(), 1.0);
   EXPECT_NEAR(delta_t_s({2461223.43, 0.0}), 69.1322, 0.05);
+}
+
+TEST(DeltaT, UncertaintyGrowsAwayFromTheObservations) {
+  const auto at_year = [](double year) { return delta_t_uncertainty_s({1721045.0 + year * 365.25, 0.0}); };
+  EXPECT_LT(at_year(2020.0), 0.05);
+  EXPECT_NEAR(at_year(1700.0), 3.8, 0.1);
+  EXPECT_NEAR(at_year(2050.0), 6.0, 0.6);
+  EXPECT_GT(at_year(2030.0), at_year(2028.0));
+  EXPECT_NEAR(at_year(-500.0), 150.0, 1.0);
+  EXPECT_GT(at_year(-4000.0), 1080.0);
+  EXPECT_GT(at_year(9999.0), 100.0);
+}
+
+TEST(BarycentricTime, MatchesTheCompleteSeries) {
+  ErrorSum errors;
+  for (double jd = 2415020.5; jd < 2488070.0; jd += 91.3) {
+    const double tdb_minus_tt = (tdb_from_tt({jd, 0.25}).days_since({jd, 0.25})) * 86400.0;
+    errors.add((tdb_minus_tt - eraDtdb(jd, 0.25, 0.0, 0.0, 0.0, 0.0)) * 1e6);
+  }
+  errors.print("TDB - TT, 1900 to 2100, against Fairhead and Bretagnon 1990", "microseconds");
+  EXPECT_LT(errors.worst(), 30.0);
 }
 
 TEST(DeltaT, IsContinuousAndPlausibleOutside) {

@@ -125,6 +125,44 @@ TEST(Time, TextRoundTripsToTheMillisecond) {
   }
 }
 
+TEST(Time, CalendarsRunProlepticallyOverAllTime) {
+  // The day after 1582-10-04 (Julian) was 1582-10-15 (Gregorian).
+  EXPECT_EQ(midnight_jd({1582, 10, 15}, Calendar::gregorian), gregorian_reform_jd);
+  EXPECT_EQ(midnight_jd({1582, 10, 4}, Calendar::julian), gregorian_reform_jd - 1.0);
+  EXPECT_EQ(midnight_jd({-4712, 1, 1}, Calendar::julian), -0.5); // where Julian dates begin
+  EXPECT_EQ(midnight_jd({2000, 1, 1}, Calendar::gregorian), 2451544.5);
+  for (const Calendar calendar : {Calendar::gregorian, Calendar::julian}) {
+    for (double jd = -31738.5 + 400.0; jd < 5373484.5; jd += 7.0) {
+      const CalendarDate date = date_of_midnight(jd, calendar);
+      ASSERT_EQ(midnight_jd(date, calendar), jd) << jd;
+      ASSERT_TRUE(date.day >= 1 && date.day <= days_in_month(date.year, date.month, calendar)) << jd;
+    }
+  }
+}
+
+TEST(Time, JulianCalendarDatesAreReadAndWritten) {
+  // The eclipse that Thales is said to have foretold: 28 May 585 BC, Julian.
+  const Instant thales = parse_instant("-0584-05-28T12:00:00", TimeScale::utc, Calendar::julian);
+  EXPECT_NEAR(thales.ut1.days_since({1507900.0, 0.0}), 0.0, 1e-9);
+  EXPECT_EQ(to_iso8601(thales), "-0584-05-22T12:00:00.000 UT1");
+  EXPECT_EQ(to_iso8601(thales, Calendar::julian), "-0584-05-28T12:00:00.000 UT1");
+  EXPECT_NO_THROW((void)parse_instant("1500-02-29", TimeScale::utc, Calendar::julian));
+  EXPECT_THROW((void)parse_instant("1500-02-29"), Error);
+  EXPECT_EQ(to_iso8601(parse_instant("2026-07-30", TimeScale::utc, Calendar::julian)), "2026-08-12T00:00:00.000Z");
+}
+
+TEST(Time, RemarksSayWhatIsUncertain) {
+  EXPECT_TRUE(time_remarks(parse_instant("2026-08-12")).empty());
+  EXPECT_EQ(time_remarks(parse_instant("1950-01-01")).size(), 1U); // taken as UT1
+  const auto future = time_remarks(parse_instant("2100-01-01"));
+  ASSERT_EQ(future.size(), 2U);
+  EXPECT_NE(future[1].find("known to about 10 s"), std::string::npos) << future[1];
+  const auto ancient = time_remarks(parse_instant("-0584-05-22T12:00:00", TimeScale::ut1));
+  ASSERT_EQ(ancient.size(), 2U);
+  EXPECT_NE(ancient[1].find("in the Julian calendar -0584-05-28"), std::string::npos) << ancient[1];
+  EXPECT_NE(time_remarks(parse_instant("1500-03-11", TimeScale::ut1)).back().find("1500-03-01"), std::string::npos);
+}
+
 TEST(Time, LaterKeepsAnOwnEarthRotation) {
   const Instant own = instant_from({2451545.0, 0.0}, {2451544.0, 0.5});
   EXPECT_DOUBLE_EQ(own.delta_t_s, 43200.0);
