@@ -48,8 +48,19 @@ std::string apply_time_scale(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_calendar(std::string_view text, SceneOptions& scene) {
+  if (text == "gregorian") {
+    scene.calendar = Calendar::gregorian;
+  } else if (text == "julian") {
+    scene.calendar = Calendar::julian;
+  } else {
+    return "gregorian, julian";
+  }
+  return "";
+}
+
 std::string apply_time(std::string_view text, SceneOptions& scene) {
-  scene.instant = parse_instant(text, scene.time_scale);
+  scene.instant = parse_instant(text, scene.time_scale, scene.calendar);
   return "";
 }
 
@@ -208,6 +219,9 @@ constexpr std::string_view model = "Model";
 constexpr std::array table{
     SceneOptionDescription{"time-scale", Kind::text, "SCALE", place,
                            "Scale of a time stamp: utc, ut1 or tt; default utc", apply_time_scale},
+    SceneOptionDescription{"calendar", Kind::text, "NAME", place,
+                           "Calendar of a time stamp: gregorian or julian, over all time; default gregorian",
+                           apply_calendar},
     SceneOptionDescription{"time", Kind::time, "STAMP", place, "2026-08-12T22:00:00Z, JD2461265.4 or now; default now",
                            apply_time},
     SceneOptionDescription{"latitude", Kind::number, "DEG", place,

@@ -59,8 +59,8 @@ void say_assumptions(const SceneOptions& scene) {
   } else if (!scene.latitude_given || !scene.longitude_given) {
     spdlog::info("no {} given: taking that of Greenwich", scene.latitude_given ? "longitude" : "latitude");
   }
-  if (!scene.instant.note.empty()) {
-    spdlog::info("{}", scene.instant.note);
+  for (const std::string& remark : time_remarks(scene.instant)) {
+    spdlog::info("{}", remark);
   }
 }
 

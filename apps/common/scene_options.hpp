@@ -23,7 +23,8 @@ namespace vesper {
 /// What a scene is: when, where, looking at what, modelled how.
 struct SceneOptions {
   Instant instant;
-  TimeScale time_scale = TimeScale::utc; ///< of stamps without a scale of their own
+  TimeScale time_scale = TimeScale::utc;   ///< of stamps without a scale of their own
+  Calendar calendar = Calendar::gregorian; ///< of stamps
   Observer observer;
   bool latitude_given = false;
   bool longitude_given = false;

@@ -58,10 +58,11 @@ SplitDate julian_date(const CsvTable& input, std::size_t row, std::size_t column
   return {std::floor(whole), whole - std::floor(whole)};
 }
 
-Instant instant_of_row(const CsvTable& input, std::size_t row, const InputColumns& columns, TimeScale scale) {
+Instant instant_of_row(const CsvTable& input, std::size_t row, const InputColumns& columns,
+                       const SceneOptions& defaults) {
   if (columns.utc) {
     try {
-      return parse_instant(input.cell(row, *columns.utc), scale);
+      return parse_instant(input.cell(row, *columns.utc), defaults.time_scale, defaults.calendar);
     } catch (const Error& e) {
       ErrorContext context = input.context(row, *columns.utc);
       context.remedy = e.context().remedy;
@@ -128,7 +129,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
   parallel_for(rows, rows_per_chunk, [&](std::size_t begin, std::size_t end) {
     Chunk& chunk = chunks[begin / rows_per_chunk];
     for (std::size_t row = begin; row < end; ++row) {
-      const Instant instant = instant_of_row(input, row, found, defaults.time_scale);
+      const Instant instant = instant_of_row(input, row, found, defaults);
       if (!instant.note.empty() && chunk.taken_as_ut1++ == 0) {
         chunk.first_line = input.line(row);
       }

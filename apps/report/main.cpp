@@ -8,6 +8,7 @@
 #include "common/scene_options.hpp"
 
 #include "vesper/assets/default_stars.hpp"
+#include "vesper/astro/delta_t.hpp"
 #include "vesper/base/error.hpp"
 
 #include <fmt/format.h>
@@ -39,12 +40,13 @@ void deliver(const std::string& text, const std::string& path) {
 std::string scene_json(const SkyState& sky, const std::vector<SceneColumn>& columns) {
   nlohmann::ordered_json json;
   json["time"] = to_iso8601(sky.instant);
-  if (!sky.instant.note.empty()) {
-    json["note"] = sky.instant.note;
+  if (const std::vector<std::string> remarks = time_remarks(sky.instant); !remarks.empty()) {
+    json["note"] = fmt::format("{}", fmt::join(remarks, ". "));
   }
   json["jd_tt"] = sky.instant.tt.value();
   json["jd_ut1"] = sky.instant.ut1.value();
   json["delta_t_s"] = sky.instant.delta_t_s;
+  json["delta_t_uncertainty_s"] = delta_t_uncertainty_s(sky.instant.tt);
   json["latitude_deg"] = sky.observer.latitude.to(deg);
   json["longitude_deg"] = sky.observer.longitude.to(deg);
   json["height_m"] = sky.observer.height.to(metre);

@@ -123,8 +123,10 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   const bool waxing = std::sin((moon.right_ascension - sky.sun.right_ascension).to(rad)) > 0.0;
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "Time    {}{}\n", to_iso8601(sky.instant),
-                 sky.instant.note.empty() ? "" : " (outside the leap seconds known, taken as UT1)");
+  fmt::format_to(out, "Time    {}\n", to_iso8601(sky.instant));
+  for (const std::string& remark : time_remarks(sky.instant)) {
+    fmt::format_to(out, "        {}\n", remark);
+  }
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
   fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
   fmt::format_to(out, "Sun     {}\n", where(sky.sun.azimuth, sky.sun.altitude));

@@ -6,6 +6,8 @@
 #include "vesper/base/csv.hpp"
 #include "vesper/base/vector.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -62,13 +64,21 @@ inline Angle angle_difference(Angle a, Angle b) { return std::remainder((a - b).
 class ErrorSum {
 public:
   void add(double error) {
-    worst_ = std::max(worst_, std::abs(error));
+    // What is no number stays, so that it cannot pass.
+    worst_ = std::isnan(worst_) || std::abs(error) <= worst_ ? worst_ : std::abs(error);
     squares_ += error * error;
     ++count_;
   }
   [[nodiscard]] double worst() const { return worst_; }
   [[nodiscard]] double rms() const { return count_ == 0 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_)); }
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// Prints the figures with the limit they are held to, for the test and for docs/ACCURACY.md, and checks the worst.
+  void hold(const char* what, double limit, const char* unit) const {
+    std::printf("%s: worst %.3g %s, RMS %.3g %s, %zu rows, held to %g %s\n", what, worst_, unit, rms(), unit, count_,
+                limit, unit);
+    EXPECT_GT(count_, 0U) << what;
+    EXPECT_LE(worst_, limit) << what << " in " << unit;
+  }
   void print(const char* what, const char* unit) const {
     std::printf("%s: worst %.6g %s, RMS %.6g %s, %zu rows\n", what, worst_, unit, rms(), unit, count_);
   }

@@ -157,6 +157,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "layers"     ? "\"ground\""
              : option.name == "time"       ? "2026-08-12"
              : option.name == "time-scale" ? "\"tt\""
+             : option.name == "calendar"   ? "\"gregorian\""
                                            : "7") +
             "\n";
   }
