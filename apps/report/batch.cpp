@@ -1,5 +1,7 @@
 #include "report/batch.hpp"
 
+#include "common/progress_bar.hpp"
+
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
 
@@ -126,6 +128,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
     std::size_t first_line = 0;
   };
   std::vector<Chunk> chunks((rows + rows_per_chunk - 1) / rows_per_chunk);
+  ProgressBar progress("scenes", rows);
   parallel_for(rows, rows_per_chunk, [&](std::size_t begin, std::size_t end) {
     Chunk& chunk = chunks[begin / rows_per_chunk];
     for (std::size_t row = begin; row < end; ++row) {
@@ -144,6 +147,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
       }
       chunk.csv.back() = '\n';
     }
+    progress.advance(end - begin);
   });
   for (const Chunk& chunk : chunks) {
     report.csv += chunk.csv;
