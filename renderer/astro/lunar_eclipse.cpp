@@ -158,11 +158,7 @@ LunarEclipse lunar_eclipse_near(const Instant& instant, ShadowModel model) {
 
 std::vector<LunarEclipse> lunar_eclipses(const Instant& from, const Instant& to, ShadowModel model) {
   std::vector<LunarEclipse> found;
-  const int last = nearest_lunation(Syzygy::full_moon, to.tt) + 2;
-  for (int lunation = nearest_lunation(Syzygy::full_moon, from.tt) - 2; lunation <= last; ++lunation) {
-    if (!eclipse_possible(Syzygy::full_moon, lunation)) {
-      continue;
-    }
+  for (const int lunation : eclipse_lunations(Syzygy::full_moon, from.tt, to.tt)) {
     const Instant origin = instant_from_tt(mean_syzygy(Syzygy::full_moon, lunation));
     LunarEclipse eclipse = eclipse_of_lunation(origin, lunation, model);
     const bool in_span = eclipse.greatest.tt.days_since(from.tt) >= 0.0 && eclipse.greatest.tt.days_since(to.tt) < 0.0;

@@ -3,6 +3,8 @@
 
 #include "vesper/astro/time.hpp"
 
+#include <vector>
+
 namespace vesper {
 
 enum class Syzygy { new_moon, full_moon };
@@ -14,8 +16,8 @@ enum class Syzygy { new_moon, full_moon };
 /// The lunation whose mean syzygy lies nearest, give or take one in the far past and future.
 [[nodiscard]] int nearest_lunation(Syzygy phase, JulianDate<TT> tt);
 
-/// False where the Moon is surely too far from its node for any eclipse: about three of four lunations. By its mean
-/// argument of latitude (Meeus 1998, chapter 54: an eclipse needs a sine below 0.36), with some margin for far years.
-[[nodiscard]] bool eclipse_possible(Syzygy phase, int lunation);
+/// The lunations about a span of time that may bring an eclipse, some beyond either end: those whose mean argument of
+/// latitude puts the Moon near a node (Meeus 1998, chapter 54: a sine below 0.36; 0.40 here, for far years).
+[[nodiscard]] std::vector<int> eclipse_lunations(Syzygy phase, JulianDate<TT> from, JulianDate<TT> to);
 
 } // namespace vesper
