@@ -75,6 +75,22 @@ std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& 
   return up;
 }
 
+/// A line for an eclipse that is on, whether it stands above the horizon or not.
+std::string eclipse_text(const SkyState& sky) {
+  const LunarEclipseState& lunar = sky.lunar_eclipse;
+  const SolarEclipseState& solar = sky.solar_eclipse;
+  if (solar.magnitude > 0.0) {
+    return fmt::format("Eclipse of the Sun: magnitude {:.3f}, {:.1f} % of the disc covered\n", solar.magnitude,
+                       100.0 * solar.obscuration);
+  }
+  if (lunar.umbral_magnitude > 0.0) {
+    return fmt::format("Eclipse of the Moon: umbral magnitude {:.3f}\n", lunar.umbral_magnitude);
+  }
+  return lunar.penumbral_magnitude > 0.0
+             ? fmt::format("Eclipse of the Moon: penumbral magnitude {:.3f}\n", lunar.penumbral_magnitude)
+             : std::string();
+}
+
 std::string place_text(const Observer& observer) {
   const double latitude = observer.latitude.to(deg);
   const double longitude = std::remainder(observer.longitude.to(deg), 360.0);
@@ -130,6 +146,7 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   fmt::format_to(out, "Sun     {}\n", where(sky.sun.azimuth, sky.sun.altitude));
   fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon.azimuth, moon.altitude),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
+  text += eclipse_text(sky);
   const bool hidden = sky.sun.altitude > -6.0 * deg;
   fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
   for (const Up& up : stars_up(sky, catalogue)) {
