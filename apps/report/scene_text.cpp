@@ -17,6 +17,8 @@ constexpr std::size_t brightest_count = 12;
 // A star lower than this drowns in the haze of the horizon; a figure should stand clear of roofs and trees.
 constexpr Angle star_lowest = 5.0 * deg;
 constexpr Angle figure_lowest = 15.0 * deg;
+// Refraction and its radius put the upper limb of the Sun or Moon on the horizon.
+constexpr Angle limb_set = -50.0 * arcmin;
 
 std::string where(Angle azimuth, Angle altitude) {
   return fmt::format("altitude {:5.1f}°, azimuth {:5.1f}° {}", altitude.to(deg), azimuth.to(deg),
@@ -75,20 +77,21 @@ std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& 
   return up;
 }
 
-/// A line for an eclipse that is on, whether it stands above the horizon or not.
+/// A line for an eclipse that is on.
 std::string eclipse_text(const SkyState& sky) {
   const LunarEclipseState& lunar = sky.lunar_eclipse;
   const SolarEclipseState& solar = sky.solar_eclipse;
+  const auto down = [](const BodyPlace& place) { return place.altitude > limb_set ? "" : ", below the horizon"; };
   if (solar.magnitude > 0.0) {
-    return fmt::format("Eclipse of the Sun: magnitude {:.3f}, {:.1f} % of the disc covered\n", solar.magnitude,
-                       100.0 * solar.obscuration);
+    return fmt::format("Eclipse of the Sun: magnitude {:.3f}, {:.1f} % of the disc covered{}\n", solar.magnitude,
+                       100.0 * solar.obscuration, down(sky.sun));
   }
-  if (lunar.umbral_magnitude > 0.0) {
-    return fmt::format("Eclipse of the Moon: umbral magnitude {:.3f}\n", lunar.umbral_magnitude);
+  if (lunar.penumbral_magnitude > 0.0) {
+    const bool umbral = lunar.umbral_magnitude > 0.0;
+    return fmt::format("Eclipse of the Moon: {} magnitude {:.3f}{}\n", umbral ? "umbral" : "penumbral",
+                       umbral ? lunar.umbral_magnitude : lunar.penumbral_magnitude, down(sky.moon.place));
   }
-  return lunar.penumbral_magnitude > 0.0
-             ? fmt::format("Eclipse of the Moon: penumbral magnitude {:.3f}\n", lunar.penumbral_magnitude)
-             : std::string();
+  return "";
 }
 
 std::string place_text(const Observer& observer) {
