@@ -56,7 +56,7 @@ double least_separation(const Sky& sky) {
     const double separation = sky.state(seconds).separation.to(rad);
     return separation * separation;
   };
-  // Any observer is within 2 h of the greatest eclipse when he sees his own.
+  // The penumbra is on the Earth for at most 3.2 h before and after the greatest eclipse.
   constexpr double step_s = 1200.0;
   constexpr int steps = 12;
   double best = 0.0;
@@ -82,13 +82,14 @@ double position_angle_rad(const ApparentSunMoon& seen) {
 
 bool sun_up_between(const Sky& sky, double begin, double end) {
   constexpr Angle rising = -50.0 * arcmin;
-  constexpr double step_s = 300.0;
-  for (double seconds = begin; seconds < end; seconds += step_s) {
-    if (sky.moment(seconds).sun_altitude > rising) {
+  // A few minutes apart: what a step could miss is a Sun that grazes the horizon from below.
+  constexpr int steps = 30;
+  for (int i = 0; i <= steps; ++i) {
+    if (sky.moment(std::lerp(begin, end, static_cast<double>(i) / steps)).sun_altitude > rising) {
       return true;
     }
   }
-  return sky.moment(end).sun_altitude > rising;
+  return false;
 }
 
 } // namespace

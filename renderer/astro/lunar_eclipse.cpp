@@ -6,6 +6,7 @@
 #include "vesper/astro/utc.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -23,7 +24,7 @@ Vec2 shadow_radii_rad(double moon_parallax, double sun_parallax, double sun_semi
 /// The Moon and the shadow as functions of the seconds of TT since an instant.
 class ShadowPass {
 public:
-  ShadowPass(const Instant& origin, ShadowModel model) : origin_(origin), model_(model) {}
+  ShadowPass(Instant origin, ShadowModel model) : origin_(std::move(origin)), model_(model) {}
 
   [[nodiscard]] Instant instant(double seconds) const { return later(origin_, seconds); }
   [[nodiscard]] ApparentSunMoon seen(double seconds) const {

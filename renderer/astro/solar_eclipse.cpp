@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -77,7 +78,7 @@ private:
 /// The axis as a function of the seconds of TT since an instant.
 class ShadowPass {
 public:
-  explicit ShadowPass(const Instant& origin) : origin_(origin) {}
+  explicit ShadowPass(Instant origin) : origin_(std::move(origin)) {}
 
   [[nodiscard]] Instant instant(double seconds) const { return later(origin_, seconds); }
   [[nodiscard]] ShadowAxis axis(double seconds) const {

@@ -191,7 +191,8 @@ std::vector<FunctionCase> function_cases() {
        {0.05F, 0, 0, 0},
        {4, 5, 0, 0},
        61,
-       2.0e-2F},
+       2.0e-4F},
+      // 5e-5 of full sunlight: GLSL's atan and asin are good to some 2e-7 rad of the Sun's 0.0093.
       {"earth_shadow_sunlight",
        "vec4(earth_shadow_sunlight(v.xyz, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9)), 0, 0, 0)",
        [](const glm::vec4& v) {
@@ -201,7 +202,7 @@ std::vector<FunctionCase> function_cases() {
        {0, 0, 3.6e5F, 0},
        {9000, 2000, 4.1e5F, 0},
        25,
-       2.0e-2F},
+       5.0e-2F},
       {"plain_exposure",
        "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
        [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); },
