@@ -1,5 +1,6 @@
 // vesper-report: what the sky is at a place and time.
 #include "report/batch.hpp"
+#include "report/eclipse_report.hpp"
 #include "report/scene_columns.hpp"
 #include "report/scene_text.hpp"
 #include "report/star_report.hpp"
@@ -27,6 +28,8 @@ struct ReportOptions {
   std::string columns;
   std::string ids;
   std::string catalogue;
+  std::string from, to, kind;
+  std::string shadow = "danjon";
 };
 
 void deliver(const std::string& text, const std::string& path) {
@@ -101,6 +104,16 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
   deliver(options.json ? star_report_json(stars, frame) : star_report_csv(stars, frame), options.output);
 }
 
+void report_eclipses(const SceneOptions& scene, const ReportOptions& options) {
+  const EclipseRequest request =
+      eclipse_request(options.kind, options.shadow, options.from, options.to, scene.observer);
+  const EclipseReport report = eclipse_report(request, options.json);
+  if (report.any_in_ut1) {
+    spdlog::info("eclipses outside the leap seconds known (1972 to 2026) are given in UT1, from TT by Delta-T");
+  }
+  deliver(report.text, options.output);
+}
+
 } // namespace
 } // namespace vesper
 
@@ -126,19 +139,32 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                    "CSV with the columns id, ra_deg, dec_deg, epoch_jyear, pm_ra_cosdec_mas_yr, pm_dec_mas_yr, "
                    "parallax_mas, radial_velocity_km_s")
       ->type_name("FILE");
+
+  CLI::App* eclipses = app.add_subcommand("eclipses", "Eclipses of a span of years, as CSV or JSON");
+  eclipses->add_option("--from", options.from, "Year, date or instant of the first")->type_name("TIME");
+  eclipses->add_option("--to", options.to, "Year, date or instant of the last; a year or date is included")
+      ->type_name("TIME");
+  eclipses->add_option("--kind", options.kind, "lunar or solar; solar ones also as seen from the place")
+      ->type_name("KIND");
+  eclipses->add_option("--shadow", options.shadow, "The Earth's shadow: danjon (default) or chauvenet")
+      ->type_name("MODEL");
   app.require_subcommand(0, 1);
 
   return run_program(argc, argv, app, [&] {
-    const bool in_batch = batch->count() > 0 && !stars->parsed();
+    const bool in_batch = batch->count() > 0 && app.get_subcommands().empty();
     const SceneOptions scene = scene_options.resolve(in_batch ? Assumptions::silent : Assumptions::said);
     if (!options.output.empty()) {
       require_writable(options.output);
     }
-    if (stars->parsed()) {
+    for (const CLI::App* command : app.get_subcommands()) {
       if (batch->count() > 0 || !options.columns.empty()) {
-        throw Error(ErrorKind::argument, "stars: takes no --batch and no --columns");
+        throw Error(ErrorKind::argument, command->get_name() + ": takes no --batch and no --columns");
       }
+    }
+    if (stars->parsed()) {
       report_stars(scene, options);
+    } else if (eclipses->parsed()) {
+      report_eclipses(scene, options);
     } else if (in_batch) {
       report_batch(scene, options);
     } else {

@@ -24,6 +24,9 @@ constexpr std::array columns{
     SceneColumn{"moon_illuminated_fraction", [](const SkyState& s) { return s.moon.illuminated_fraction; }},
     SceneColumn{"moon_phase_angle_deg", [](const SkyState& s) { return s.moon.phase_angle.to(deg); }},
     SceneColumn{"moon_bright_limb_deg", [](const SkyState& s) { return s.moon.bright_limb.to(deg); }},
+    SceneColumn{"moon_umbral_magnitude", [](const SkyState& s) { return s.lunar_eclipse.umbral_magnitude; }},
+    SceneColumn{"moon_penumbral_magnitude", [](const SkyState& s) { return s.lunar_eclipse.penumbral_magnitude; }},
+    SceneColumn{"sun_obscuration", [](const SkyState& s) { return s.solar_eclipse.obscuration; }},
 };
 
 std::string all_names() {

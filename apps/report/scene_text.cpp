@@ -17,6 +17,8 @@ constexpr std::size_t brightest_count = 12;
 // A star lower than this drowns in the haze of the horizon; a figure should stand clear of roofs and trees.
 constexpr Angle star_lowest = 5.0 * deg;
 constexpr Angle figure_lowest = 15.0 * deg;
+// Refraction and its radius put the upper limb of the Sun or Moon on the horizon.
+constexpr Angle limb_set = -50.0 * arcmin;
 
 std::string where(Angle azimuth, Angle altitude) {
   return fmt::format("altitude {:5.1f}°, azimuth {:5.1f}° {}", altitude.to(deg), azimuth.to(deg),
@@ -73,6 +75,23 @@ std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& 
   }
   std::sort(up.begin(), up.end(), [](const auto& a, const auto& b) { return a.second.altitude > b.second.altitude; });
   return up;
+}
+
+/// A line for an eclipse that is on.
+std::string eclipse_text(const SkyState& sky) {
+  const LunarEclipseState& lunar = sky.lunar_eclipse;
+  const SolarEclipseState& solar = sky.solar_eclipse;
+  const auto down = [](const BodyPlace& place) { return place.altitude > limb_set ? "" : ", below the horizon"; };
+  if (solar.magnitude > 0.0) {
+    return fmt::format("Eclipse of the Sun: magnitude {:.3f}, {:.1f} % of the disc covered{}\n", solar.magnitude,
+                       100.0 * solar.obscuration, down(sky.sun));
+  }
+  if (lunar.penumbral_magnitude > 0.0) {
+    const bool umbral = lunar.umbral_magnitude > 0.0;
+    return fmt::format("Eclipse of the Moon: {} magnitude {:.3f}{}\n", umbral ? "umbral" : "penumbral",
+                       umbral ? lunar.umbral_magnitude : lunar.penumbral_magnitude, down(sky.moon.place));
+  }
+  return "";
 }
 
 std::string place_text(const Observer& observer) {
@@ -132,6 +151,7 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   fmt::format_to(out, "Sun     {}\n", where(sky.sun.azimuth, sky.sun.altitude));
   fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon.azimuth, moon.altitude),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
+  text += eclipse_text(sky);
   const bool hidden = sky.sun.altitude > -6.0 * deg;
   fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
   for (const Up& up : stars_up(sky, catalogue)) {

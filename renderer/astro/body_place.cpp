@@ -17,16 +17,21 @@ Vec3 delayed(const Vec3& now_au, const Vec3& velocity_au_d) {
 
 } // namespace
 
+Vec3 sun_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au) {
+  return delayed(bodies.sun.position_au - bodies.earth.position_au - earth_to_observer_au, bodies.sun.velocity_au_d);
+}
+
+Vec3 moon_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au) {
+  return delayed(bodies.moon.position_au - earth_to_observer_au,
+                 bodies.moon.velocity_au_d + bodies.earth.velocity_au_d);
+}
+
 Vec3 sun_from_observer_au(const EarthState& earth) {
-  const SunEarthMoon& bodies = earth.bodies;
-  return delayed(bodies.sun.position_au - bodies.earth.position_au - earth.earth_to_observer_au,
-                 bodies.sun.velocity_au_d);
+  return sun_from_observer_au(earth.bodies, earth.earth_to_observer_au);
 }
 
 Vec3 moon_from_observer_au(const EarthState& earth) {
-  const SunEarthMoon& bodies = earth.bodies;
-  return delayed(bodies.moon.position_au - earth.earth_to_observer_au,
-                 bodies.moon.velocity_au_d + bodies.earth.velocity_au_d);
+  return moon_from_observer_au(earth.bodies, earth.earth_to_observer_au);
 }
 
 Vec3 planet_from_observer_au(Planet planet, const EarthState& earth) {

@@ -10,6 +10,9 @@ namespace vesper {
 /// aberration.
 [[nodiscard]] Vec3 sun_from_observer_au(const EarthState& earth);
 [[nodiscard]] Vec3 moon_from_observer_au(const EarthState& earth);
+/// The same from bodies at hand and a place given from the Earth's centre (au, ICRS axes).
+[[nodiscard]] Vec3 sun_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au);
+[[nodiscard]] Vec3 moon_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au);
 [[nodiscard]] Vec3 planet_from_observer_au(Planet planet, const EarthState& earth);
 
 } // namespace vesper

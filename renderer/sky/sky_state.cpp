@@ -64,6 +64,10 @@ SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier) 
   state.stars = tier == Tier::cheap ? star_frame(instant, observer, tier) : frame;
   state.sun = body_place(sun_au, frame);
   state.moon = moon_state(moon_au, sun_au, state.sun, frame);
+  state.lunar_eclipse = lunar_eclipse_state(apparent_sun_moon(earth.bodies));
+  state.solar_eclipse = solar_eclipse_state(state.sun.direction_horizon * state.sun.distance.to(kilometre),
+                                            state.moon.place.direction_horizon *
+                                                state.moon.place.distance.to(kilometre));
   state.seconds = instant.tt.days_since({2451545.0, 0.0}) * 86400.0;
   return state;
 }

@@ -1,7 +1,9 @@
 // Everything true about the sky at one instant for one observer.
 #pragma once
 
+#include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/observer.hpp"
+#include "vesper/astro/solar_eclipse.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/units.hpp"
@@ -33,6 +35,8 @@ struct SkyState {
   StarFrame stars;
   BodyPlace sun;
   MoonState moon;
+  LunarEclipseState lunar_eclipse; ///< Danjon's shadow, whether the Moon is near it or not
+  SolarEclipseState solar_eclipse; ///< for the observer, whether Sun and Moon are up or not
   double seconds = 0.0; ///< TT seconds since J2000.0, the clock of scintillation
 };
 

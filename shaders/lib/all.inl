@@ -5,4 +5,5 @@
 #include "vesper/shaders/lib/star_psf.glsl"
 #include "vesper/shaders/lib/extinction.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
+#include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"

@@ -29,6 +29,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/star_psf.glsl"
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
+#include "lib/eclipse.glsl"
 #include "lib/display.glsl"
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer In { vec4 inputs[]; };
@@ -184,6 +185,24 @@ std::vector<FunctionCase> function_cases() {
        {9000, 0.9F, 1, 0.1F},
        8,
        2.0e-3F},
+      {"disc_covered",
+       "vec4(disc_covered(1.0, v.x, v.y), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::disc_covered(1.0F, v.x, v.y)); },
+       {0.05F, 0, 0, 0},
+       {4, 5, 0, 0},
+       61,
+       2.0e-4F},
+      // 5e-5 of full sunlight: GLSL's atan and asin are good to some 2e-7 rad of the Sun's 0.0093.
+      {"earth_shadow_sunlight",
+       "vec4(earth_shadow_sunlight(v.xyz, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9)), 0, 0, 0)",
+       [](const glm::vec4& v) {
+         return scalar(f32::earth_shadow_sunlight(glm::vec3(v),
+                                                  f32::EarthShadow{{0.0F, 0.0F, 1.0F}, 1.496e8F, 695990.0F, 6441.9F}));
+       },
+       {0, 0, 3.6e5F, 0},
+       {9000, 2000, 4.1e5F, 0},
+       25,
+       5.0e-2F},
       {"plain_exposure",
        "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
        [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); },

@@ -1,0 +1,148 @@
+// Eclipses of the Moon against figures from JPL DE431 and NASA's catalogue.
+#include "accuracy/truth.hpp"
+
+#include "vesper/astro/lunar_eclipse.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+
+namespace vesper {
+namespace {
+
+using test::ErrorSum;
+using test::TruthRow;
+
+constexpr double table_begin_jd = 2436934.5; // 1960-01-01
+constexpr double table_end_jd = 2473459.5;   // 2060-01-01
+
+bool inside_table(const TruthRow& row) {
+  return row.number("jd_tt") >= table_begin_jd && row.number("jd_tt") < table_end_jd;
+}
+
+/// A contact's stamp with the row's own Delta-T.
+Instant stamp_of(const TruthRow& row, std::string_view column) {
+  const bool ut1 = row.text("scale") == "UT1";
+  Instant instant = parse_instant(row.text(column), ut1 ? TimeScale::ut1 : TimeScale::utc);
+  return ut1 ? instant_from({instant.ut1.day, instant.ut1.fraction + row.number("delta_t") / 86400.0}, instant.ut1)
+             : instant;
+}
+
+double seconds_between(const Instant& a, const Instant& b) { return a.tt.days_since(b.tt) * 86400.0; }
+
+struct ContactColumn {
+  const char* name;
+  LunarContact contact;
+  bool penumbral;
+};
+constexpr std::array<ContactColumn, 6> contact_columns{{{"P1", LunarContact::p1, true},
+                                                        {"U1", LunarContact::u1, false},
+                                                        {"U2", LunarContact::u2, false},
+                                                        {"U3", LunarContact::u3, false},
+                                                        {"U4", LunarContact::u4, false},
+                                                        {"P4", LunarContact::p4, true}}};
+
+/// Contacts graze where a magnitude is close to 0 or 1: their time then follows from nothing.
+bool grazing(double magnitude) { return std::abs(magnitude) <= 0.02 || std::abs(magnitude - 1.0) <= 0.02; }
+
+TEST(LunarEclipse, MatchesTheReference) {
+  const CsvTable table = test::truth_table("eclipses_lunar.csv");
+  ErrorSum umbral, penumbral, umbral_chauvenet, penumbral_chauvenet, gamma, greatest, at_instant;
+  std::map<std::string, ErrorSum> contacts;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    if (!inside_table(row)) {
+      continue;
+    }
+    SCOPED_TRACE(row.text("canon_date"));
+    const LunarEclipse eclipse = lunar_eclipse_near(row.instant());
+    umbral.add(eclipse.umbral_magnitude - row.number("umb_mag_danjon"));
+    penumbral.add(eclipse.penumbral_magnitude - row.number("pen_mag_danjon"));
+    gamma.add(eclipse.gamma - row.number("gamma"));
+    greatest.add(seconds_between(eclipse.greatest, row.instant()));
+    const LunarEclipse chauvenet = lunar_eclipse_near(row.instant(), ShadowModel::chauvenet);
+    umbral_chauvenet.add(chauvenet.umbral_magnitude - row.number("umb_mag_chauvenet"));
+    penumbral_chauvenet.add(chauvenet.penumbral_magnitude - row.number("pen_mag_chauvenet"));
+    at_instant.add(lunar_eclipse_state(apparent_sun_moon(row.instant().tt)).umbral_magnitude -
+                   row.number("umb_mag_danjon"));
+    for (const ContactColumn& column : contact_columns) {
+      const bool grazes = grazing(row.number(column.penumbral ? "pen_mag_danjon" : "umb_mag_danjon"));
+      const bool expected = !row.text(column.name).empty();
+      const std::optional<Instant>& found = eclipse.contact(column.contact);
+      if (!grazes) {
+        EXPECT_EQ(found.has_value(), expected) << column.name;
+      }
+      if (found && expected && !grazes) {
+        contacts[column.name].add(seconds_between(*found, stamp_of(row, column.name)));
+      }
+    }
+  }
+  umbral.print("umbral magnitude, Danjon", "");
+  penumbral.print("penumbral magnitude, Danjon", "");
+  umbral_chauvenet.print("umbral magnitude, Chauvenet", "");
+  penumbral_chauvenet.print("penumbral magnitude, Chauvenet", "");
+  at_instant.print("umbral magnitude at the given instant", "");
+  gamma.print("gamma", "Earth radii");
+  greatest.print("greatest eclipse", "s");
+  EXPECT_GE(umbral.count(), 100U);
+  for (const ErrorSum* magnitude : {&umbral, &penumbral, &umbral_chauvenet, &penumbral_chauvenet, &at_instant}) {
+    EXPECT_LT(magnitude->worst(), 0.0005);
+  }
+  EXPECT_LT(gamma.worst(), 0.0001);
+  EXPECT_LT(greatest.worst(), 0.5);
+  EXPECT_EQ(contacts.size(), contact_columns.size());
+  for (const auto& [name, errors] : contacts) {
+    errors.print(name.c_str(), "s");
+    EXPECT_LT(errors.worst(), 5.0) << name;
+  }
+}
+
+TEST(LunarEclipse, TypesAreThoseOfTheCatalogue) {
+  const CsvTable table = test::truth_table("eclipses_lunar.csv");
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    // The catalogue's shadow.
+    const LunarEclipse eclipse = lunar_eclipse_near(row.instant(), ShadowModel::chauvenet);
+    const char letter = row.text("canon_type").front();
+    const LunarEclipseType expected = letter == 'T'   ? LunarEclipseType::total
+                                      : letter == 'P' ? LunarEclipseType::partial
+                                                      : LunarEclipseType::penumbral;
+    const bool total_penumbral = letter == 'N' && row.number("pen_mag_chauvenet") >= 1.0;
+    EXPECT_EQ(eclipse.type, total_penumbral ? LunarEclipseType::total_penumbral : expected) << row.text("canon_date");
+  }
+}
+
+TEST(LunarEclipse, TheSearchFindsEachOnce) {
+  const CsvTable table = test::truth_table("eclipses_lunar.csv");
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<LunarEclipse> found =
+      lunar_eclipses(parse_instant("1950-01-01"), parse_instant("2051-01-01"), ShadowModel::chauvenet);
+  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  std::printf("%zu lunar eclipses from 1950 to 2050 in %.1f ms\n", found.size(), ms);
+  // The table holds every second eclipse of the catalogue, the first and the last among them.
+  ASSERT_EQ(found.size(), 2 * table.row_count() - 1);
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    EXPECT_LT(std::abs(seconds_between(found[2 * i].greatest, row.instant())), 60.0) << row.text("canon_date");
+  }
+  // Danjon's smaller shadow misses the slightest ones, and only those.
+  const std::vector<LunarEclipse> danjon = lunar_eclipses(parse_instant("1950-01-01"), parse_instant("2051-01-01"));
+  auto next = danjon.begin();
+  for (const LunarEclipse& eclipse : found) {
+    const bool same = next != danjon.end() && std::abs(seconds_between(next->greatest, eclipse.greatest)) < 1.0;
+    EXPECT_TRUE(same || eclipse.penumbral_magnitude < 0.04) << to_iso8601(eclipse.greatest);
+    next += same ? 1 : 0;
+  }
+  EXPECT_EQ(next, danjon.end());
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    const bool there = std::any_of(danjon.begin(), danjon.end(), [&](const LunarEclipse& eclipse) {
+      return std::abs(seconds_between(eclipse.greatest, row.instant())) < 60.0;
+    });
+    EXPECT_EQ(there, row.number("pen_mag_danjon") > 0.0) << row.text("canon_date");
+  }
+}
+
+} // namespace
+} // namespace vesper
