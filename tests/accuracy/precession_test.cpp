@@ -41,7 +41,7 @@ TEST(Precession, ObliquityAgreesWithLaskar) {
   }
   history.print("mean obliquity, -3000 to 3000, against Laskar 1986", "arcsec");
   all.print("mean obliquity, -4712 to 9999, against Laskar 1986", "arcsec");
-  EXPECT_LT(history.worst(), 5.0);
+  EXPECT_LT(history.worst(), 6.0); // where the two publications part by 5.4" at -3000
   EXPECT_LT(all.worst(), 20.0); // IAU 2006 alone: 90"
 }
 
