@@ -28,17 +28,20 @@ double angle_between(const double (&a)[3], const double (&b)[3]) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
+double years_since_j2000(JulianDate<TT> tt) { return tt.days_since(j2000) / days_per_year; }
+
 } // namespace
+
+bool is_long_term(JulianDate<TT> tt) { return std::abs(years_since_j2000(tt)) > iau_2006_years; }
 
 Precession precession(JulianDate<TT> tt) {
   Precession result;
-  const double years = tt.days_since(j2000) / days_per_year;
   double rows[3][3];
-  if (std::abs(years) <= iau_2006_years) {
+  if (!is_long_term(tt)) {
     eraPmat06(tt.day, tt.fraction, rows);
     result.mean_obliquity_rad = eraObl06(tt.day, tt.fraction);
   } else {
-    const double epoch = 2000.0 + years;
+    const double epoch = 2000.0 + years_since_j2000(tt);
     double equator_pole[3];
     double ecliptic_pole[3];
     eraLtpb(epoch, rows);

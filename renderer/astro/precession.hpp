@@ -21,4 +21,7 @@ struct Precession {
 /// Delta-T is uncertain by many minutes.
 [[nodiscard]] Precession precession(JulianDate<TT> tt);
 
+/// Whether precession() takes the long-term model, outside 1600 to 2400.
+[[nodiscard]] bool is_long_term(JulianDate<TT> tt);
+
 } // namespace vesper
