@@ -44,11 +44,12 @@ constexpr std::size_t theory_of(Planet planet) {
   return i < earth_theory ? i : i + 1;
 }
 
-/// From the ecliptic and equinox J2000 of VSOP87 to the FK5 (Bretagnon and Francou 1988, section 5), within 0.03" of
-/// ICRS.
-constexpr Mat3 icrs_from_vsop87(1.0, -0.000000479966, 0.0,                  //
-                                0.000000440360, 0.917482137087, 0.397776982902, //
-                                -0.000000190919, -0.397776982902, 0.917482137087);
+/// From the ecliptic and equinox J2000 of VSOP87: its rotation to the FK5 (Bretagnon and Francou 1988, section 5), then
+/// 0.0123" about y and 0.0197" about z, which leave no mean rotation between the Earth's places of the whole theory and
+/// those of DE405 (ICRS) from 1960 to 2059.
+constexpr Mat3 icrs_from_vsop87(1.0, -0.000000384458, -0.000000059632,          //
+                                0.000000376453, 0.917482137087, 0.397776982902, //
+                                -0.000000098217, -0.397776982902, 0.917482137087);
 
 StateVector heliocentric(std::size_t theory, JulianDate<TDB> tdb, double least_amplitude = 0.0) {
   const double t = tdb.days_since(j2000) / days_per_millennium;
