@@ -116,7 +116,7 @@ def moon(source, folder):
 PLANETS = [
     ("mercury", 0.39, 0.1),
     ("venus", 0.72, 0.05),
-    ("earth", 1.0, 0.0025),
+    ("earth", 1.0, 0.0015),
     ("mars", 1.52, 0.05),
     ("jupiter", 5.2, 0.1),
     ("saturn", 9.6, 0.1),

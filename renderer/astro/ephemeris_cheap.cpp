@@ -55,9 +55,8 @@ Vec3 moon_geocentric(double t) {
                           0.0048 * (anomaly * std::conj(node)).imag() + 0.0030 * (twice * std::conj(node)).imag() +
                           0.0010 * (evection * node).imag() + 0.0008 * (evection * std::conj(node)).imag() +
                           0.0006 * (twice * node).imag();
-  const double parallax = 0.016593 + 0.000904 * anomaly.real() + 0.000166 * evection.real() +
-                          0.000137 * twice.real() + 0.000049 * (anomaly * anomaly).real() +
-                          0.000015 * onward.real() + 0.000009 * annual.real();
+  const double parallax = 0.016593 + 0.000904 * anomaly.real() + 0.000166 * evection.real() + 0.000137 * twice.real() +
+                          0.000049 * (anomaly * anomaly).real() + 0.000015 * onward.real() + 0.000009 * annual.real();
   constexpr double earth_radii_per_au = 23455.0;
   return cartesian(longitude, latitude, 1.0 / (earth_radii_per_au * parallax));
 }

@@ -63,15 +63,17 @@ StateVector heliocentric(std::size_t theory, JulianDate<TDB> tdb, double least_a
   return state;
 }
 
-/// From the barycentre of the solar system, by the pull of the giant planets; the rest moves it by 4e-6 au. Their places
-/// to 1e-3 do.
+/// From the barycentre of the solar system, by the pull of the giant planets; the rest moves it by 4e-6 au. Their
+/// places to 1e-3 do.
 StateVector sun_barycentric(JulianDate<TDB> tdb) {
   struct Giant {
     Planet planet;
     double sun_to_planet; ///< ratio of masses, with the moons (IAU 2009 system of constants)
   };
-  constexpr Giant giants[] = {
-      {Planet::jupiter, 1047.3486}, {Planet::saturn, 3497.9018}, {Planet::uranus, 22902.98}, {Planet::neptune, 19412.26}};
+  constexpr Giant giants[] = {{Planet::jupiter, 1047.3486},
+                              {Planet::saturn, 3497.9018},
+                              {Planet::uranus, 22902.98},
+                              {Planet::neptune, 19412.26}};
   constexpr double least_amplitude = 1e-4;
   StateVector sun;
   double mass = 1.0;

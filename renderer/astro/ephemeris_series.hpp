@@ -10,13 +10,14 @@ namespace vesper {
 /// planets.
 ///
 /// Against JPL ephemerides from 1900 to 2100: Moon 0.7 arcsec and 2 km worst, Sun 0.1 arcsec. Outside, errors grow:
-/// - Moon: with the tidal acceleration, known to about 0.05 arcsec per century squared (0.1 arcsec in 1800, 20 arcsec in
+/// - Moon: with the tidal acceleration, known to about 0.05 arcsec per century squared (0.1 arcsec in 1800, 20 arcsec
+/// in
 ///   the year 0, 2 arcmin in -3000), and beyond -3000 and +3000 with the polynomials of its mean arguments, by degrees
 ///   at -4712 and 9999. Distances keep sound everywhere.
 /// - Sun: about 1 arcsec over 4000 years around 2000 (the VSOP87 paper), some arcsec at -4712 and 9999.
 ///
-/// For an observer both errors stay small against that of Delta-T: an hour or more in -3000 is half a degree of the Moon
-/// and 15 degrees of the Earth's rotation.
+/// For an observer both errors stay small against that of Delta-T: an hour or more in -3000 is half a degree of the
+/// Moon and 15 degrees of the Earth's rotation.
 [[nodiscard]] SunEarthMoon sun_earth_moon_series(JulianDate<TDB> tdb);
 
 /// VSOP87B. Against JPL ephemerides from 1900 to 2100, seen from the Earth: 3 arcsec (Mercury to Saturn), 5 arcsec

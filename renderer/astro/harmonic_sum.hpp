@@ -35,16 +35,13 @@ inline CosSin cos_sin(double angle_rad) {
   // Taylor series there, then the angle doubled twice. 1 - cos keeps the digits.
   const double y = x * x;
   const double s =
-      x * (1.0 +
-           y * (-1.0 / 6.0 +
-                y * (1.0 / 120.0 +
-                     y * (-1.0 / 5040.0 +
-                          y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0 + y * (1.0 / 6227020800.0)))))));
+      x * (1.0 + y * (-1.0 / 6.0 +
+                      y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0 +
+                                                                                         y * (1.0 / 6227020800.0)))))));
   const double v =
-      y * (0.5 + y * (-1.0 / 24.0 +
-                      y * (1.0 / 720.0 +
-                           y * (-1.0 / 40320.0 +
-                                y * (1.0 / 3628800.0 + y * (-1.0 / 479001600.0 + y * (1.0 / 87178291200.0)))))));
+      y * (0.5 + y * (-1.0 / 24.0 + y * (1.0 / 720.0 + y * (-1.0 / 40320.0 +
+                                                            y * (1.0 / 3628800.0 + y * (-1.0 / 479001600.0 +
+                                                                                        y * (1.0 / 87178291200.0)))))));
   const double s2 = 2.0 * s * (1.0 - v); // sin and 1 - cos of 2 x
   const double v2 = 2.0 * s * s;
   return {1.0 - 2.0 * s2 * s2, 2.0 * s2 * (1.0 - v2)};
@@ -56,7 +53,7 @@ inline CosSin cos_sin(double angle_rad) {
 template <class Term, std::size_t Powers>
 Moving harmonic_sum(const Term*& next, const std::uint16_t (&counts)[Powers], double t, double least = 0.0) {
   Moving total;
-  double power = 1.0;           // t^k
+  double power = 1.0;            // t^k
   double power_derivative = 0.0; // k t^(k-1)
   for (std::size_t k = 0; k < Powers; ++k) {
     Moving sum;

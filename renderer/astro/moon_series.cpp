@@ -39,8 +39,8 @@ Mat3 j2000_from_ecliptic_of_date(double t) {
   const double q =
       t * (-0.113469002e-3 + t * (0.12372674e-6 + t * (0.12654170e-8 + t * (-0.1371808e-11 - t * 0.320334e-14))));
   const double c = std::sqrt(1.0 - p * p - q * q);
-  return {1.0 - 2.0 * p * p, 2.0 * p * q, -2.0 * p * c,            //
-          2.0 * p * q,       1.0 - 2.0 * q * q, 2.0 * q * c,       //
+  return {1.0 - 2.0 * p * p, 2.0 * p * q,       -2.0 * p * c, //
+          2.0 * p * q,       1.0 - 2.0 * q * q, 2.0 * q * c,  //
           2.0 * p * c,       -2.0 * q * c,      1.0 - 2.0 * (p * p + q * q)};
 }
 
@@ -79,8 +79,9 @@ StateVector moon_geocentric_series(JulianDate<TDB> tdb) {
   longitude.value += mean.value;
   longitude.rate += mean.rate / days_per_century;
   // The ecliptic itself turns by 6e-9 rad a day: nothing beside the Moon's 0.2.
-  return icrs_from_j2000() * (j2000_from_ecliptic_of_date(t) *
-                              cartesian_of(longitude, scaled(in_latitude, rad_per_arcsec), scaled(in_distance, au_per_km)));
+  return icrs_from_j2000() *
+         (j2000_from_ecliptic_of_date(t) *
+          cartesian_of(longitude, scaled(in_latitude, rad_per_arcsec), scaled(in_distance, au_per_km)));
 }
 
 } // namespace vesper

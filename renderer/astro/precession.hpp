@@ -15,9 +15,9 @@ struct Precession {
 };
 
 /// IAU 2006 (eraPmat06, eraObl06) from 1600 to 2400, outside the long-term precession of Vondrak, Capitaine and Wallace
-/// 2011 (A&A 534, A22; eraLtpb), which is made for 200 000 years: IAU 2006 is a polynomial and leaves it by 17" in -3000,
-/// 70" in -4712 and 4' in 9999. They differ by 0.008" where they join. The equation of origins is that of IAU 2006
-/// everywhere (eraGmst06), within 37" of the long-term precession at -4712 and 240" at 9999: seconds of time where
+/// 2011 (A&A 534, A22; eraLtpb), which is made for 200 000 years: IAU 2006 is a polynomial and leaves it by 17" in
+/// -3000, 70" in -4712 and 4' in 9999. They differ by 0.008" where they join. The equation of origins is that of IAU
+/// 2006 everywhere (eraGmst06), within 37" of the long-term precession at -4712 and 240" at 9999: seconds of time where
 /// Delta-T is uncertain by many minutes.
 [[nodiscard]] Precession precession(JulianDate<TT> tt);
 

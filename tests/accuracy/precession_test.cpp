@@ -19,8 +19,8 @@ JulianDate<TT> in_year(double year) { return j2000.plus_days((year - 2000.0) * 3
 /// Laskar 1986 (A&A 157, 59), table 8: for 10 000 years around J2000. Its rate at J2000 is the IAU 1976 one, by 2.8" in
 /// 10 000 years off today's, its terms are good to some arcsec at the ends.
 Angle laskar_obliquity(double year) {
-  constexpr double coefficients[] = {84381.448, -4680.93, -1.55,  1999.25, -51.38, -249.67,
-                                     -39.05,    7.12,     27.87,  5.79,    2.45};
+  constexpr double coefficients[] = {84381.448, -4680.93, -1.55, 1999.25, -51.38, -249.67,
+                                     -39.05,    7.12,     27.87, 5.79,    2.45};
   const double u = (year - 2000.0) / 10000.0;
   double value = 0.0;
   for (int i = 10; i >= 0; --i) {
@@ -42,7 +42,7 @@ TEST(Precession, ObliquityAgreesWithLaskar) {
   history.print("mean obliquity, -3000 to 3000, against Laskar 1986", "arcsec");
   all.print("mean obliquity, -4712 to 9999, against Laskar 1986", "arcsec");
   EXPECT_LT(history.worst(), 6.0); // where the two publications part by 5.4" at -3000
-  EXPECT_LT(all.worst(), 20.0); // IAU 2006 alone: 90"
+  EXPECT_LT(all.worst(), 20.0);    // IAU 2006 alone: 90"
 }
 
 TEST(Precession, IsARotationThatTurnsByTheGeneralPrecession) {

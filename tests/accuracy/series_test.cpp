@@ -25,9 +25,7 @@ const std::map<std::string, Planet> planets_by_name = {
     {"mercury", Planet::mercury}, {"venus", Planet::venus},   {"mars", Planet::mars},      {"jupiter", Planet::jupiter},
     {"saturn", Planet::saturn},   {"uranus", Planet::uranus}, {"neptune", Planet::neptune}};
 
-JulianDate<TDB> in_year(double year) {
-  return JulianDate<TDB>{2451545.0, 0.0}.plus_days((year - 2000.0) * 365.25);
-}
+JulianDate<TDB> in_year(double year) { return JulianDate<TDB>{2451545.0, 0.0}.plus_days((year - 2000.0) * 365.25); }
 
 EarthState earth_with(const BodiesAt& bodies_at, const TruthRow& row) {
   EarthState earth = earth_state(row.instant(), row.observer());
@@ -105,10 +103,9 @@ std::map<std::string, PlaceErrors> planet_errors(const BodiesAt& bodies_at, cons
     const double jd_tt = table.number(i, table.column("jd_tt"));
     const double jd_ut1 = table.number(i, table.column("jd_ut1"));
     const TruthRow row(table, i);
-    EarthState earth =
-        earth_state(instant_from({std::floor(jd_tt), jd_tt - std::floor(jd_tt)},
-                                 {std::floor(jd_ut1), jd_ut1 - std::floor(jd_ut1)}),
-                    row.observer());
+    EarthState earth = earth_state(
+        instant_from({std::floor(jd_tt), jd_tt - std::floor(jd_tt)}, {std::floor(jd_ut1), jd_ut1 - std::floor(jd_ut1)}),
+        row.observer());
     earth.bodies = bodies_at(earth.tdb);
     errors[name].add(planet_from_observer(planets_by_name.at(name), earth, planet_at), earth, row,
                      row.number("dist_au") * astronomical_unit);
@@ -199,10 +196,9 @@ TEST(Series, KeepSaneDistancesOverAllYears) {
     double least_au, most_au;
   };
   // Perihelion and aphelion with the change of the eccentricities over 8000 years (Saturn: 0.028 to 0.079).
-  const std::map<std::string, Range> ranges = {{"mercury", {0.305, 0.470}}, {"venus", {0.715, 0.732}},
-                                               {"mars", {1.370, 1.680}},    {"jupiter", {4.86, 5.55}},
-                                               {"saturn", {8.75, 10.38}},   {"uranus", {18.2, 20.2}},
-                                               {"neptune", {29.6, 30.5}}};
+  const std::map<std::string, Range> ranges = {
+      {"mercury", {0.305, 0.470}}, {"venus", {0.715, 0.732}}, {"mars", {1.370, 1.680}}, {"jupiter", {4.86, 5.55}},
+      {"saturn", {8.75, 10.38}},   {"uranus", {18.2, 20.2}},  {"neptune", {29.6, 30.5}}};
   for (double year = -4712.0; year < 10000.0; year += 1.7913) {
     const JulianDate<TDB> tdb = in_year(year);
     const SunEarthMoon bodies = sun_earth_moon_series(tdb);
