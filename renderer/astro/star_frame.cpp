@@ -34,7 +34,7 @@ StarFrame cheap_star_frame(const Instant& instant, const Observer& observer) {
   const double turn = 2.0 * std::numbers::pi;
   StarFrame frame;
   frame.sidereal_time_rad = sidereal - turn * std::floor(sidereal / turn);
-  frame.equator_of_date_from_icrs = turn_z(0.01118 * t) * turn_y(-0.00972 * t) * turn_z(0.01118 * t);
+  frame.equator_of_date_from_icrs = cheap_equator_of_date_from_icrs(t);
   frame.horizon_from_icrs =
       horizon_from_equator(observer.latitude, frame.sidereal_time_rad) * frame.equator_of_date_from_icrs;
   frame.sun_to_observer = Vec3(1.0, 0.0, 0.0);
@@ -43,6 +43,10 @@ StarFrame cheap_star_frame(const Instant& instant, const Observer& observer) {
 }
 
 } // namespace
+
+Mat3 cheap_equator_of_date_from_icrs(double centuries) {
+  return turn_z(0.01118 * centuries) * turn_y(-0.00972 * centuries) * turn_z(0.01118 * centuries);
+}
 
 Mat3 horizon_from_equator(Angle latitude, double sidereal_time_rad) {
   const double c = std::cos(latitude.to(rad));

@@ -36,4 +36,8 @@ struct StarFrame {
 /// \param sidereal_time_rad local sidereal time that belongs to that equinox
 [[nodiscard]] Mat3 horizon_from_equator(Angle latitude, double sidereal_time_rad);
 
+/// Precession only, Mueller et al. 2012 eq. 8: within 2 arcsec of ERFA's mean precession from 1900 to 2100.
+/// \param centuries Julian centuries since J2000.0
+[[nodiscard]] Mat3 cheap_equator_of_date_from_icrs(double centuries);
+
 } // namespace vesper

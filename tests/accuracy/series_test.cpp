@@ -1,0 +1,267 @@
+// The analytic series and the cheap tier against JPL DE431, whatever table stands before them.
+#include "accuracy/truth.hpp"
+
+#include "vesper/astro/body_place.hpp"
+#include "vesper/astro/ephemeris_cheap.hpp"
+#include "vesper/astro/ephemeris_series.hpp"
+#include "vesper/astro/star_place.hpp"
+
+#include <erfa.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+namespace vesper {
+namespace {
+
+using test::ErrorSum;
+using test::TruthRow;
+
+using BodiesAt = std::function<SunEarthMoon(JulianDate<TDB>)>;
+using PlanetAt = std::function<StateVector(Planet, JulianDate<TDB>)>;
+
+const std::map<std::string, Planet> planets_by_name = {
+    {"mercury", Planet::mercury}, {"venus", Planet::venus},   {"mars", Planet::mars},      {"jupiter", Planet::jupiter},
+    {"saturn", Planet::saturn},   {"uranus", Planet::uranus}, {"neptune", Planet::neptune}};
+
+JulianDate<TDB> in_year(double year) { return JulianDate<TDB>{2451545.0, 0.0}.plus_days((year - 2000.0) * 365.25); }
+
+EarthState earth_with(const BodiesAt& bodies_at, const TruthRow& row) {
+  EarthState earth = earth_state(row.instant(), row.observer());
+  earth.bodies = bodies_at(earth.tdb);
+  return earth;
+}
+
+/// True equator and equinox of date, apparent.
+Vec3 apparent_of_date(const Vec3& from_observer_au, const EarthState& earth) {
+  const Vec3 apparent = f64::star_aberration(glm::normalize(from_observer_au), place_frame(star_frame(earth)));
+  return earth.equator_of_date_from_icrs * apparent;
+}
+
+struct PlaceErrors {
+  ErrorSum direction_arcsec, distance_km;
+  void add(const Vec3& from_observer_au, const EarthState& earth, const TruthRow& row, Length distance) {
+    const Vec3 truth = test::direction(row.degrees("ra"), row.degrees("dec"));
+    direction_arcsec.add(test::separation(apparent_of_date(from_observer_au, earth), truth).to(arcsec));
+    distance_km.add((glm::length(from_observer_au) * astronomical_unit - distance).to(kilometre));
+  }
+  void print(const std::string& body) const {
+    direction_arcsec.print((body + ", direction").c_str(), "arcsec");
+    distance_km.print((body + ", distance").c_str(), "km");
+  }
+};
+
+bool in_table(const TruthRow& row) {
+  const double jd = row.number("jd_tt");
+  return jd > 2436934.5 && jd < 2473459.5; // 1960 to 2059
+}
+
+PlaceErrors moon_errors(const BodiesAt& bodies_at, bool outside_table_only) {
+  const CsvTable table = test::truth_table("moon_topo.csv");
+  PlaceErrors errors;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    if (outside_table_only && in_table(row)) {
+      continue;
+    }
+    const EarthState earth = earth_with(bodies_at, row);
+    errors.add(moon_from_observer_au(earth), earth, row, row.number("dist_km") * kilometre);
+  }
+  return errors;
+}
+
+PlaceErrors sun_errors(const BodiesAt& bodies_at) {
+  const CsvTable table = test::truth_table("sun_topo.csv");
+  PlaceErrors errors;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const TruthRow row(table, i);
+    const EarthState earth = earth_with(bodies_at, row);
+    errors.add(sun_from_observer_au(earth), earth, row, row.number("dist_au") * astronomical_unit);
+  }
+  return errors;
+}
+
+/// As planet_from_observer_au, with a source of places of our choice.
+Vec3 planet_from_observer(Planet planet, const EarthState& earth, const PlanetAt& planet_at) {
+  constexpr double light_days_per_au = 499.004783836156412 / 86400.0;
+  Vec3 from_observer{};
+  for (int i = 0; i < 4; ++i) {
+    const double delay = glm::length(from_observer) * light_days_per_au;
+    from_observer = earth.bodies.sun.position_au - delay * earth.bodies.sun.velocity_au_d +
+                    planet_at(planet, earth.tdb.plus_days(-delay)).position_au - earth.bodies.earth.position_au -
+                    earth.earth_to_observer_au;
+  }
+  return from_observer;
+}
+
+std::map<std::string, PlaceErrors> planet_errors(const BodiesAt& bodies_at, const PlanetAt& planet_at) {
+  const CsvTable table = test::truth_table("planets_topo.csv");
+  std::map<std::string, PlaceErrors> errors;
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const std::string name(table.cell(i, table.column("planet")));
+    const double jd_tt = table.number(i, table.column("jd_tt"));
+    const double jd_ut1 = table.number(i, table.column("jd_ut1"));
+    const TruthRow row(table, i);
+    EarthState earth = earth_state(
+        instant_from({std::floor(jd_tt), jd_tt - std::floor(jd_tt)}, {std::floor(jd_ut1), jd_ut1 - std::floor(jd_ut1)}),
+        row.observer());
+    earth.bodies = bodies_at(earth.tdb);
+    errors[name].add(planet_from_observer(planets_by_name.at(name), earth, planet_at), earth, row,
+                     row.number("dist_au") * astronomical_unit);
+  }
+  return errors;
+}
+
+TEST(Series, MoonMatchesTheReferenceEphemeris) {
+  const PlaceErrors outside = moon_errors(sun_earth_moon_series, true);
+  outside.print("Moon by series, 1900-1959 and 2060-2100");
+  EXPECT_GT(outside.direction_arcsec.count(), 60U);
+  EXPECT_LT(outside.direction_arcsec.worst(), 1.0);
+  EXPECT_LT(outside.distance_km.worst(), 3.0);
+  const PlaceErrors all = moon_errors(sun_earth_moon_series, false);
+  all.print("Moon by series, 1900-2100");
+  EXPECT_EQ(all.direction_arcsec.count(), 200U);
+  EXPECT_LT(all.direction_arcsec.worst(), 1.0);
+  EXPECT_LT(all.distance_km.worst(), 3.0);
+}
+
+TEST(Series, SunMatchesTheReferenceEphemeris) {
+  const PlaceErrors errors = sun_errors(sun_earth_moon_series);
+  errors.print("Sun by series, 1900-2100");
+  EXPECT_EQ(errors.direction_arcsec.count(), 200U);
+  EXPECT_LT(errors.direction_arcsec.worst(), 0.2);
+  EXPECT_LT(errors.distance_km.worst(), 100.0);
+}
+
+TEST(Series, PlanetsMatchTheReferenceEphemeris) {
+  const auto errors = planet_errors(sun_earth_moon_series, planet_heliocentric_series);
+  ASSERT_EQ(errors.size(), planets_by_name.size());
+  for (const auto& [name, sum] : errors) {
+    sum.print(name + " by series, 1900-2100");
+    EXPECT_GE(sum.direction_arcsec.count(), 15U) << name;
+    EXPECT_LT(sum.direction_arcsec.worst(), 10.0) << name;
+  }
+}
+
+TEST(Series, SunAgreesWithAnotherTheoryOverCenturies) {
+  ErrorSum direction;
+  ErrorSum sun_position_au;
+  ErrorSum sun_velocity_au_d;
+  for (double year = 1600.0; year < 2400.0; year += 1.37) {
+    const JulianDate<TDB> tdb = in_year(year);
+    double heliocentric[2][3];
+    double barycentric[2][3];
+    eraEpv00(tdb.day, tdb.fraction, heliocentric, barycentric);
+    const auto vector = [](const double(&v)[3]) { return Vec3(v[0], v[1], v[2]); };
+    const SunEarthMoon bodies = sun_earth_moon_series(tdb);
+    direction.add(
+        test::separation(bodies.earth.position_au - bodies.sun.position_au, vector(heliocentric[0])).to(arcsec));
+    sun_position_au.add(glm::length(bodies.sun.position_au - (vector(barycentric[0]) - vector(heliocentric[0]))));
+    sun_velocity_au_d.add(glm::length(bodies.sun.velocity_au_d - (vector(barycentric[1]) - vector(heliocentric[1]))));
+  }
+  direction.print("Sun by series against eraEpv00, 1600-2400", "arcsec");
+  sun_position_au.print("Sun's barycentric place against eraEpv00", "au");
+  sun_velocity_au_d.print("Sun's barycentric velocity against eraEpv00", "au/d");
+  EXPECT_LT(direction.worst(), 0.3);
+  EXPECT_LT(sun_position_au.worst(), 3e-5);
+  EXPECT_LT(sun_velocity_au_d.worst(), 2e-7); // 0.0002" of aberration
+}
+
+TEST(Series, VelocitiesAreTheDerivativesOfPlaces) {
+  constexpr double h = 0.01; // days
+  ErrorSum relative;
+  const auto add = [&relative](const StateVector& before, const StateVector& now, const StateVector& after) {
+    const Vec3 difference = (after.position_au - before.position_au) / (2.0 * h);
+    relative.add(glm::length(difference - now.velocity_au_d) / glm::length(now.velocity_au_d));
+  };
+  for (double year = -4700.0; year < 9999.0; year += 217.31) {
+    const JulianDate<TDB> tdb = in_year(year);
+    const auto before = sun_earth_moon_series(tdb.plus_days(-h));
+    const auto now = sun_earth_moon_series(tdb);
+    const auto after = sun_earth_moon_series(tdb.plus_days(h));
+    add(before.moon, now.moon, after.moon);
+    add(before.earth, now.earth, after.earth);
+    for (const auto& [name, planet] : planets_by_name) {
+      add(planet_heliocentric_series(planet, tdb.plus_days(-h)), planet_heliocentric_series(planet, tdb),
+          planet_heliocentric_series(planet, tdb.plus_days(h)));
+    }
+  }
+  relative.print("velocity less difference quotient", "of the velocity");
+  EXPECT_LT(relative.worst(), 2e-6);
+}
+
+TEST(Series, KeepSaneDistancesOverAllYears) {
+  struct Range {
+    double least_au, most_au;
+  };
+  // Perihelion and aphelion with the change of the eccentricities over 8000 years (Saturn: 0.028 to 0.079).
+  const std::map<std::string, Range> ranges = {
+      {"mercury", {0.305, 0.470}}, {"venus", {0.715, 0.732}}, {"mars", {1.370, 1.680}}, {"jupiter", {4.86, 5.55}},
+      {"saturn", {8.75, 10.38}},   {"uranus", {18.2, 20.2}},  {"neptune", {29.6, 30.5}}};
+  for (double year = -4712.0; year < 10000.0; year += 1.7913) {
+    const JulianDate<TDB> tdb = in_year(year);
+    const SunEarthMoon bodies = sun_earth_moon_series(tdb);
+    const double sun = glm::length(bodies.earth.position_au - bodies.sun.position_au);
+    ASSERT_TRUE(sun > 0.980 && sun < 1.020) << year << " " << sun;
+    const double moon_km = (glm::length(bodies.moon.position_au) * astronomical_unit).to(kilometre);
+    ASSERT_TRUE(moon_km > 356000.0 && moon_km < 407000.0) << year << " " << moon_km;
+    const double speed_km_s = (glm::length(bodies.moon.velocity_au_d) * astronomical_unit).to(kilometre) / 86400.0;
+    ASSERT_TRUE(speed_km_s > 0.95 && speed_km_s < 1.11) << year << " " << speed_km_s;
+    for (const auto& [name, range] : ranges) {
+      const double distance = glm::length(planet_heliocentric_series(planets_by_name.at(name), tdb).position_au);
+      ASSERT_TRUE(distance > range.least_au && distance < range.most_au) << name << " " << year << " " << distance;
+    }
+  }
+}
+
+TEST(Series, TwoInstantsAMicrosecondApartDifferSmoothly) {
+  const JulianDate<TDB> tdb{2415020.0, 0.3};
+  constexpr double microsecond = 1e-6 / 86400.0;
+  const SunEarthMoon now = sun_earth_moon_series(tdb);
+  const SunEarthMoon later = sun_earth_moon_series(tdb.plus_days(1000.0 * microsecond));
+  const SunEarthMoon next = sun_earth_moon_series(tdb.plus_days(microsecond));
+  const auto metres = [](const Vec3& au) { return (glm::length(au) * astronomical_unit).to(metre); };
+  // 1 km/s: a metre in a millisecond, nothing that rounding could hide or invent beyond a millimetre.
+  EXPECT_NEAR(metres(later.moon.position_au - now.moon.position_au), 1.02, 0.1);
+  EXPECT_LT(metres(next.moon.position_au - now.moon.position_au), 0.01);
+}
+
+TEST(CheapTier, HoldsItsStatedErrors) {
+  const PlaceErrors moon = moon_errors(sun_earth_moon_cheap, false);
+  const PlaceErrors sun = sun_errors(sun_earth_moon_cheap);
+  moon.print("Moon, cheap tier, 1900-2100");
+  sun.print("Sun, cheap tier, 1900-2100");
+  EXPECT_LT(moon.direction_arcsec.worst(), 360.0);
+  EXPECT_LT(moon.direction_arcsec.rms(), 130.0);
+  EXPECT_LT(moon.distance_km.worst(), 800.0); // its parallax has terms down to 9e-6 of 0.0166
+  EXPECT_LT(sun.direction_arcsec.worst(), 35.0);
+  EXPECT_LT(sun.direction_arcsec.rms(), 15.0);
+  for (const auto& [name, errors] : planet_errors(sun_earth_moon_cheap, planet_heliocentric_cheap)) {
+    errors.print(name + ", cheap tier, 1900-2100");
+    EXPECT_LT(errors.direction_arcsec.worst(), 200.0) << name;
+  }
+}
+
+TEST(CheapTier, HasTheVelocitiesOfItsPlaces) {
+  for (double year = 1900.0; year < 2100.0; year += 7.77) {
+    const JulianDate<TDB> tdb = in_year(year);
+    const SunEarthMoon cheap = sun_earth_moon_cheap(tdb);
+    const SunEarthMoon series = sun_earth_moon_series(tdb);
+    // Light time moves the Moon by 0.7": its velocity may be wrong by a percent.
+    EXPECT_LT(glm::length(cheap.moon.velocity_au_d - series.moon.velocity_au_d), 0.02 * 6e-4);
+    // Aberration is 20.5": the Earth's velocity holds it to 0.03".
+    EXPECT_LT(glm::length(cheap.earth.velocity_au_d - (series.earth.velocity_au_d - series.sun.velocity_au_d)),
+              1.5e-3 * 0.0172);
+  }
+}
+
+TEST(CheapTier, IsWhatTheInterfaceGives) {
+  const JulianDate<TDB> tdb{2451545.0, 0.0};
+  EXPECT_EQ(sun_earth_moon(tdb, Tier::cheap).moon.position_au, sun_earth_moon_cheap(tdb).moon.position_au);
+  EXPECT_EQ(planet_heliocentric(Planet::mars, tdb, Tier::cheap).position_au,
+            planet_heliocentric_cheap(Planet::mars, tdb).position_au);
+}
+
+} // namespace
+} // namespace vesper
