@@ -1,8 +1,11 @@
 #include "vesper/astro/earth_state.hpp"
 
 #include "vesper/astro/ephemeris_table.hpp"
+#include "vesper/astro/precession.hpp"
 
 #include <erfa.h>
+
+#include <cmath>
 
 namespace vesper {
 namespace {
@@ -24,7 +27,7 @@ Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 /// The Earth's axes in space at one instant.
 struct Orientation {
-  Rows of_date;                     ///< true equator and equinox of date from ICRS
+  Mat3 of_date{1.0};                ///< true equator and equinox of date from ICRS
   double equation_of_origins = 0.0; ///< Earth rotation angle less apparent sidereal time, rad
 };
 
@@ -38,21 +41,32 @@ Nutation nutation_at(JulianDate<TT> tt) {
   return nutation;
 }
 
-/// What eraPnm06a and eraGst06 compute, given the nutation (Wallace and Capitaine 2006, A&A 459, 981).
+Orientation long_term_orientation(JulianDate<TT> tt, const Nutation& nutation) {
+  const Precession mean = precession(tt);
+  Rows nutated;
+  eraNumat(mean.mean_obliquity_rad, nutation.longitude_rad, nutation.obliquity_rad, nutated);
+  return {matrix_of(nutated) * mean.mean_equator_from_icrs,
+          mean.mean_equation_of_origins_rad - nutation.longitude_rad * std::cos(mean.mean_obliquity_rad)};
+}
+
+/// What eraPnm06a and eraGst06 compute, given the nutation (Wallace and Capitaine 2006, A&A 459, 981); in far years
+/// after the long-term precession.
 Orientation orientation(JulianDate<TT> tt) {
   const Nutation nutation = nutation_at(tt);
+  if (is_long_term(tt)) {
+    return long_term_orientation(tt, nutation);
+  }
   double gamma_bar = 0.0;
   double phi_bar = 0.0;
   double psi_bar = 0.0;
   double epsilon = 0.0;
   eraPfw06(tt.day, tt.fraction, &gamma_bar, &phi_bar, &psi_bar, &epsilon);
-  Orientation result;
-  eraFw2m(gamma_bar, phi_bar, psi_bar + nutation.longitude_rad, epsilon + nutation.obliquity_rad, result.of_date);
+  Rows of_date;
+  eraFw2m(gamma_bar, phi_bar, psi_bar + nutation.longitude_rad, epsilon + nutation.obliquity_rad, of_date);
   double x = 0.0;
   double y = 0.0;
-  eraBpn2xy(result.of_date, &x, &y);
-  result.equation_of_origins = eraEors(result.of_date, nutation.cio_locator_rad - 0.5 * x * y);
-  return result;
+  eraBpn2xy(of_date, &x, &y);
+  return {matrix_of(of_date), eraEors(of_date, nutation.cio_locator_rad - 0.5 * x * y)};
 }
 
 double apparent_sidereal_time_rad(JulianDate<UT1> ut1, double equation_of_origins) {
@@ -70,7 +84,7 @@ EarthState earth_state(const Instant& instant, const Observer& observer, Tier ti
   state.bodies = sun_earth_moon(state.tdb, tier);
 
   const Orientation axes = orientation(instant.tt);
-  state.equator_of_date_from_icrs = matrix_of(axes.of_date);
+  state.equator_of_date_from_icrs = axes.of_date;
   const double sidereal = apparent_sidereal_time_rad(instant.ut1, axes.equation_of_origins);
   state.local_sidereal_time_rad = eraAnp(sidereal + observer.longitude.to(rad));
 

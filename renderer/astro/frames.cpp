@@ -1,5 +1,6 @@
 #include "vesper/astro/frames.hpp"
 
+#include "vesper/astro/precession.hpp"
 #include "vesper/astro/star_frame.hpp"
 
 #include <erfa.h>
@@ -18,6 +19,9 @@ template <class Fill> Mat3 erfa_matrix(Fill fill) {
 }
 
 Mat3 mean_ecliptic_from_icrs(JulianDate<TT> tt) {
+  if (is_long_term(tt)) {
+    return erfa_matrix([&](auto& rows) { eraLtecm(eraEpj(tt.day, tt.fraction), rows); });
+  }
   return erfa_matrix([&](auto& rows) { eraEcm06(tt.day, tt.fraction, rows); });
 }
 
@@ -50,7 +54,7 @@ Mat3 frame_from_icrs(CelestialFrame frame, const EarthState& earth) {
   const JulianDate<TT>& tt = earth.instant.tt;
   switch (frame) {
   case CelestialFrame::mean_of_date:
-    return erfa_matrix([&](auto& rows) { eraPmat06(tt.day, tt.fraction, rows); });
+    return precession(tt).mean_equator_from_icrs;
   case CelestialFrame::true_of_date:
     return earth.equator_of_date_from_icrs;
   case CelestialFrame::ecliptic_of_date:

@@ -10,7 +10,7 @@ namespace vesper {
 /// without aberration or refraction, which belong to the place of a body and not to the axes.
 enum class CelestialFrame {
   icrs,
-  mean_of_date,     ///< mean equator and equinox of date, IAU 2006 precession with the frame bias
+  mean_of_date,     ///< mean equator and equinox of date, frame bias and precession
   true_of_date,     ///< true equator and equinox of date: nutation IAU 2000A too
   ecliptic_of_date, ///< ecliptic of date, longitudes from the true equinox: those of apparent places
   ecliptic_j2000,   ///< mean ecliptic and equinox of J2000.0

@@ -3,7 +3,6 @@
 #include "vesper/astro/crossings.hpp"
 #include "vesper/astro/eclipse_constants.hpp"
 #include "vesper/astro/syzygy.hpp"
-#include "vesper/astro/utc.hpp"
 
 #include <cmath>
 #include <utility>

@@ -3,7 +3,6 @@
 #include "vesper/astro/crossings.hpp"
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/syzygy.hpp"
-#include "vesper/astro/utc.hpp"
 #include "vesper/base/shader_math.hpp"
 
 #include <cmath>
