@@ -1,10 +1,8 @@
 #include "vesper/astro/earth_state.hpp"
 
-#include "vesper/base/error.hpp"
+#include "vesper/astro/ephemeris_table.hpp"
 
 #include <erfa.h>
-
-#include <array>
 
 namespace vesper {
 namespace {
@@ -24,22 +22,56 @@ Mat3 matrix_of(const Rows& rows) {
 
 Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
+/// The Earth's axes in space at one instant.
+struct Orientation {
+  Rows of_date;                     ///< true equator and equinox of date from ICRS
+  double equation_of_origins = 0.0; ///< Earth rotation angle less apparent sidereal time, rad
+};
+
+Nutation nutation_at(JulianDate<TT> tt) {
+  if (const auto tabulated = EphemerisTable::embedded().nutation(tt)) {
+    return *tabulated;
+  }
+  Nutation nutation;
+  eraNut06a(tt.day, tt.fraction, &nutation.longitude_rad, &nutation.obliquity_rad);
+  nutation.cio_locator_rad = eraS06(tt.day, tt.fraction, 0.0, 0.0); // without X and Y it is the series of s + XY/2
+  return nutation;
+}
+
+/// What eraPnm06a and eraGst06 compute, given the nutation (Wallace and Capitaine 2006, A&A 459, 981).
+Orientation orientation(JulianDate<TT> tt) {
+  const Nutation nutation = nutation_at(tt);
+  double gamma_bar = 0.0;
+  double phi_bar = 0.0;
+  double psi_bar = 0.0;
+  double epsilon = 0.0;
+  eraPfw06(tt.day, tt.fraction, &gamma_bar, &phi_bar, &psi_bar, &epsilon);
+  Orientation result;
+  eraFw2m(gamma_bar, phi_bar, psi_bar + nutation.longitude_rad, epsilon + nutation.obliquity_rad, result.of_date);
+  double x = 0.0;
+  double y = 0.0;
+  eraBpn2xy(result.of_date, &x, &y);
+  result.equation_of_origins = eraEors(result.of_date, nutation.cio_locator_rad - 0.5 * x * y);
+  return result;
+}
+
+double apparent_sidereal_time_rad(JulianDate<UT1> ut1, double equation_of_origins) {
+  return eraAnp(eraEra00(ut1.day, ut1.fraction) - equation_of_origins);
+}
+
 } // namespace
 
 EarthState earth_state(const Instant& instant, const Observer& observer, Tier tier) {
   EarthState state;
   state.instant = instant;
   state.observer = observer;
-  const JulianDate<TT>& tt = instant.tt;
-
   state.tier = tier;
-  state.tdb = tdb_from_tt(tt);
+  state.tdb = tdb_from_tt(instant.tt);
   state.bodies = sun_earth_moon(state.tdb, tier);
 
-  Rows of_date;
-  eraPnm06a(tt.day, tt.fraction, of_date);
-  state.equator_of_date_from_icrs = matrix_of(of_date);
-  const double sidereal = eraGst06(instant.ut1.day, instant.ut1.fraction, tt.day, tt.fraction, of_date);
+  const Orientation axes = orientation(instant.tt);
+  state.equator_of_date_from_icrs = matrix_of(axes.of_date);
+  const double sidereal = apparent_sidereal_time_rad(instant.ut1, axes.equation_of_origins);
   state.local_sidereal_time_rad = eraAnp(sidereal + observer.longitude.to(rad));
 
   double diurnal[2][3];
@@ -54,7 +86,7 @@ EarthState earth_state(const Instant& instant, const Observer& observer, Tier ti
 }
 
 double greenwich_apparent_sidereal_time_rad(const Instant& instant) {
-  return eraGst06a(instant.ut1.day, instant.ut1.fraction, instant.tt.day, instant.tt.fraction);
+  return apparent_sidereal_time_rad(instant.ut1, orientation(instant.tt).equation_of_origins);
 }
 
 } // namespace vesper

@@ -21,11 +21,12 @@ struct EarthState {
   double local_sidereal_time_rad = 0.0; ///< apparent, 0 to 2 pi
 };
 
-/// Sun, Earth and Moon by sun_earth_moon, precession and nutation by eraPnm06a, sidereal time by eraGst06, the observer
-/// on WGS84 without polar motion.
+/// Sun, Earth and Moon by sun_earth_moon, precession and nutation by IAU 2006/2000A (nutation from the embedded table
+/// where it reaches, within 0.00002" of ERFA; else by ERFA), sidereal time after that, the observer on WGS84 without
+/// polar motion.
 [[nodiscard]] EarthState earth_state(const Instant& instant, const Observer& observer, Tier tier = Tier::standard);
 
-/// Apparent sidereal time at Greenwich (IAU 2006/2000A), radians, 0 to 2 pi.
+/// Apparent sidereal time at Greenwich (IAU 2006/2000A), radians, 0 to 2 pi. As in earth_state.
 [[nodiscard]] double greenwich_apparent_sidereal_time_rad(const Instant& instant);
 
 } // namespace vesper

@@ -1,35 +1,26 @@
 #include "vesper/astro/ephemeris.hpp"
 
-#include <erfa.h>
+#include "vesper/astro/ephemeris_series.hpp"
+#include "vesper/astro/ephemeris_table.hpp"
 
 namespace vesper {
-namespace {
 
-StateVector state_of(const double (&pv)[2][3]) {
-  return {{pv[0][0], pv[0][1], pv[0][2]}, {pv[1][0], pv[1][1], pv[1][2]}};
+SunEarthMoon sun_earth_moon(JulianDate<TDB> tdb, Tier tier) {
+  if (tier != Tier::cheap) {
+    if (const auto bodies = EphemerisTable::embedded().sun_earth_moon(tdb)) {
+      return *bodies;
+    }
+  }
+  return sun_earth_moon_series(tdb);
 }
 
-} // namespace
-
-SunEarthMoon sun_earth_moon(JulianDate<TDB> tdb, Tier /*tier*/) {
-  double heliocentric[2][3];
-  double barycentric[2][3];
-  double geocentric[2][3];
-  eraEpv00(tdb.day, tdb.fraction, heliocentric, barycentric); // its warning outside 1900 to 2100 is in the docstring
-  eraMoon98(tdb.day, tdb.fraction, geocentric);
-  SunEarthMoon bodies;
-  bodies.earth = state_of(barycentric);
-  const StateVector from_sun = state_of(heliocentric);
-  bodies.sun = {bodies.earth.position_au - from_sun.position_au, bodies.earth.velocity_au_d - from_sun.velocity_au_d};
-  bodies.moon = state_of(geocentric);
-  return bodies;
-}
-
-StateVector planet_heliocentric(Planet planet, JulianDate<TDB> tdb, Tier /*tier*/) {
-  constexpr int erfa_numbers[planet_count] = {1, 2, 4, 5, 6, 7, 8};
-  double pv[2][3];
-  eraPlan94(tdb.day, tdb.fraction, erfa_numbers[static_cast<int>(planet)], pv);
-  return state_of(pv);
+StateVector planet_heliocentric(Planet planet, JulianDate<TDB> tdb, Tier tier) {
+  if (tier != Tier::cheap) {
+    if (const auto state = EphemerisTable::embedded().planet_heliocentric(planet, tdb)) {
+      return *state;
+    }
+  }
+  return planet_heliocentric_series(planet, tdb);
 }
 
 } // namespace vesper

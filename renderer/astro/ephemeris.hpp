@@ -22,10 +22,11 @@ struct SunEarthMoon {
 enum class Planet { mercury, venus, mars, jupiter, saturn, uranus, neptune };
 inline constexpr int planet_count = 7;
 
-/// Sun, Earth and Moon at one instant.
+/// Sun, Earth and Moon at one instant: by the table (ephemeris_table.hpp) from December 1959 to January 2060, except in
+/// the cheap tier; else by series (ephemeris_series.hpp).
 [[nodiscard]] SunEarthMoon sun_earth_moon(JulianDate<TDB> tdb, Tier tier = Tier::standard);
 
-/// A planet (its system's barycentre for those with large moons) from the Sun.
+/// A planet (its system's barycentre for those with large moons) from the Sun, by table or series like sun_earth_moon.
 [[nodiscard]] StateVector planet_heliocentric(Planet planet, JulianDate<TDB> tdb, Tier tier = Tier::standard);
 
 } // namespace vesper
