@@ -1,5 +1,6 @@
 // vesper-report: what the sky is at a place and time.
 #include "report/batch.hpp"
+#include "report/event_report.hpp"
 #include "report/scene_columns.hpp"
 #include "report/scene_text.hpp"
 #include "report/star_report.hpp"
@@ -26,6 +27,7 @@ struct ReportOptions {
   std::string columns;
   std::string ids;
   std::string catalogue;
+  EventOptions events;
 };
 
 void deliver(const std::string& text, const std::string& path) {
@@ -99,6 +101,11 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
   deliver(options.json ? star_report_json(stars, frame) : star_report_csv(stars, frame), options.output);
 }
 
+void report_events(const SceneOptions& scene, const ReportOptions& options) {
+  const EventRequest request = event_request(scene, options.events);
+  deliver(options.json ? event_report_json(scene, request) : event_report_csv(scene, request), options.output);
+}
+
 } // namespace
 } // namespace vesper
 
@@ -124,19 +131,23 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                    "CSV with the columns id, ra_deg, dec_deg, epoch_jyear, pm_ra_cosdec_mas_yr, pm_dec_mas_yr, "
                    "parallax_mas, radial_velocity_km_s")
       ->type_name("FILE");
+  const CLI::App* events = add_events_command(app, options.events);
   app.require_subcommand(0, 1);
 
   return run_program(argc, argv, app, [&] {
-    const bool in_batch = batch->count() > 0 && !stars->parsed();
+    const bool in_batch = batch->count() > 0 && app.get_subcommands().empty();
     const SceneOptions scene = scene_options.resolve(in_batch ? Assumptions::silent : Assumptions::said);
     if (!options.output.empty()) {
       require_writable(options.output);
     }
+    if (!app.get_subcommands().empty() && (batch->count() > 0 || !options.columns.empty())) {
+      throw Error(ErrorKind::argument,
+                  fmt::format("{}: takes no --batch and no --columns", app.get_subcommands()[0]->get_name()));
+    }
     if (stars->parsed()) {
-      if (batch->count() > 0 || !options.columns.empty()) {
-        throw Error(ErrorKind::argument, "stars: takes no --batch and no --columns");
-      }
       report_stars(scene, options);
+    } else if (events->parsed()) {
+      report_events(scene, options);
     } else if (in_batch) {
       report_batch(scene, options);
     } else {
