@@ -79,6 +79,23 @@ std::vector<EventRequest::Body> bodies_of(const std::string& list) {
   return bodies;
 }
 
+HorizonRule horizon_rule(Length height, const EventOptions& options) {
+  const auto horizon = number_within(options.horizon, -10.0, 80.0);
+  if (!horizon && !options.horizon.empty()) {
+    refuse("--horizon", options.horizon, "-10 to 80 degrees");
+  }
+  if (options.refraction == "model") {
+    const Refraction air = with_table({RefractionModel::traced, standard_conditions(height), nullptr});
+    return HorizonRule::seen(air, horizon ? *horizon * deg : horizon_altitude(air, height));
+  }
+  if (options.refraction != "almanac") {
+    refuse("--refraction", options.refraction, "almanac, model");
+  }
+  HorizonRule rule = HorizonRule::almanac();
+  rule.limb_altitude = rule.limb_altitude + horizon.value_or(0.0) * deg;
+  return rule;
+}
+
 struct Row {
   std::string_view body;
   std::string_view event;
@@ -154,8 +171,16 @@ CLI::App* add_events_command(CLI::App& app, EventOptions& options) {
                                fmt::join(planet_names, ", ")))
       ->type_name("LIST");
   events
-      ->add_option("--horizon", options.horizon,
-                   "Altitude of the horizon, -10 to 80; default 0. Twilights do not depend on it")
+      ->add_option(
+          "--refraction", options.refraction,
+          "almanac: the convention; model: the upper limbs of Sun and Moon in their true size, and planets and "
+          "stars, on the horizon as seen through the standard atmosphere at --height; default almanac")
+      ->type_name("NAME");
+  events
+      ->add_option(
+          "--horizon", options.horizon,
+          "Altitude of the horizon, -10 to 80: as seen with --refraction model, there by default the sea's with "
+          "its dip; else added to the convention's, default 0. Twilights do not depend on it")
       ->type_name("DEG");
   events->add_flag("--lower-transits", options.lower_transits, "Lower transits too");
   return events;
@@ -172,12 +197,7 @@ EventRequest event_request(const SceneOptions& scene, const EventOptions& option
   }
   request.days = *days;
   request.bodies = bodies_of(options.bodies);
-  const auto horizon = number_within(options.horizon, -10.0, 80.0);
-  if (!horizon) {
-    refuse("--horizon", options.horizon, "-10 to 80 degrees");
-  }
-  request.rule = HorizonRule::almanac();
-  request.rule.limb_altitude = request.rule.limb_altitude + *horizon * deg;
+  request.rule = horizon_rule(scene.observer.height, options);
   request.lower_transits = options.lower_transits;
   return request;
 }

@@ -15,7 +15,8 @@ namespace vesper {
 struct EventOptions {
   std::string days = "1";
   std::string bodies = "sun,moon";
-  std::string horizon = "0";
+  std::string refraction = "almanac";
+  std::string horizon; ///< that of the sea, if empty
   bool lower_transits = false;
 };
 

@@ -38,7 +38,7 @@ bool is(const SkyBody& body, Luminary luminary) {
 }
 
 /// Airless altitude of the centre at rise and set.
-Angle horizon_altitude(const SkyBody& body, double distance_au, const HorizonRule& rule) {
+Angle centre_at_horizon(const SkyBody& body, double distance_au, const HorizonRule& rule) {
   if (is(body, Luminary::moon)) {
     return rule.limb_altitude - std::asin(moon_radius / (distance_au * astronomical_unit)) * rad;
   }
@@ -95,7 +95,7 @@ private:
       samples.north.at(i) = place.direction.y;
       samples.up.at(i) = place.direction.z;
       samples.above_horizon.at(i) =
-          place.direction.z - std::sin(horizon_altitude(body, place.distance_au, rule).to(rad));
+          place.direction.z - std::sin(centre_at_horizon(body, place.distance_au, rule).to(rad));
     }
     return samples;
   }
@@ -180,6 +180,12 @@ private:
 };
 
 } // namespace
+
+HorizonRule HorizonRule::seen(const Refraction& refraction, Angle apparent_horizon) {
+  const double altitude = apparent_horizon.to(rad);
+  const Vec3 airless = true_direction({0.0, std::cos(altitude), std::sin(altitude)}, refraction);
+  return {horizontal_of(airless).altitude, std::nullopt};
+}
 
 std::string_view name_of(SkyEventKind kind) {
   constexpr std::array<std::string_view, 10> names{"astronomical dawn", "nautical dawn",    "civil dawn", "rise",

@@ -3,6 +3,7 @@
 
 #include "vesper/astro/ephemeris.hpp"
 #include "vesper/astro/observer.hpp"
+#include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_place.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/units.hpp"
@@ -35,6 +36,10 @@ struct HorizonRule {
   /// The convention of almanacs, which the defaults give too (Explanatory Supplement, 3rd ed., sec. 12.2.1): refraction
   /// of 34' and a Sun of 16', so that its centre stands at -50'. Height shifts no horizon: dip is ignored.
   [[nodiscard]] static HorizonRule almanac() { return {}; }
+
+  /// What is seen: the upper limb on a horizon, both as the air shows them, and the Sun in its true size.
+  /// \param apparent_horizon its altitude; horizon_altitude(refraction, height) is that of the sea
+  [[nodiscard]] static HorizonRule seen(const Refraction& refraction, Angle apparent_horizon);
 };
 
 enum class SkyEventKind {
