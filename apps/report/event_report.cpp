@@ -196,6 +196,7 @@ EventRequest event_request(const SceneOptions& scene, const EventOptions& option
            fmt::format("1 to {}{}", dates_left, dates_left < most_days ? ", for dates end with 9999-12-31" : ""));
   }
   request.days = *days;
+  request.note = instant_from_utc({request.first_midnight_jd + *days - 1.0, 0.5}).note;
   request.bodies = bodies_of(options.bodies);
   request.rule = horizon_rule(scene.observer.height, options);
   request.lower_transits = options.lower_transits;

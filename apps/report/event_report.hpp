@@ -34,6 +34,7 @@ struct EventRequest {
   int days = 1;
   HorizonRule rule;
   bool lower_transits = false;
+  std::string note; ///< of the last date's time scale, as in Instant
 };
 
 /// Throws Error(argument) naming the option, its value and what is allowed.

@@ -103,6 +103,9 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
 
 void report_events(const SceneOptions& scene, const ReportOptions& options) {
   const EventRequest request = event_request(scene, options.events);
+  if (scene.instant.note.empty() && !request.note.empty()) {
+    spdlog::info("{}", request.note);
+  }
   deliver(options.json ? event_report_json(scene, request) : event_report_csv(scene, request), options.output);
 }
 

@@ -10,7 +10,7 @@ namespace vesper {
 /// The polynomial through samples at Chebyshev points, on [-1, 1].
 ///
 /// Of an analytic function it is as good as the function is slow: through the 19 points used here cos(w x) holds within
-/// 5e-16 for w = pi/2, 1e-13 for pi, 2e-8 for 2 pi (Trefethen 2013, Approximation Theory and Approximation Practice,
+/// 2e-15 for w = pi/2, 1e-13 for pi, 3e-8 for 2 pi (Trefethen 2013, Approximation Theory and Approximation Practice,
 /// ch. 2, 3 and 18 for the interpolant and its derivative).
 class SampledFunction {
 public:
