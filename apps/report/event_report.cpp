@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -46,7 +47,10 @@ double midnight_jd_before(const Instant& instant) {
   return jd;
 }
 
-EventRequest::Body body_of(const std::string& name) {
+EventRequest::Body body_of(const std::string& given) {
+  std::string name = given; // of the solar system's bodies; stars keep their spelling
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (name == "sun" || name == "moon") {
     return {name, name == "sun" ? Luminary::sun : Luminary::moon};
   }
@@ -55,10 +59,10 @@ EventRequest::Body body_of(const std::string& name) {
     return {name, static_cast<Planet>(planet - planet_names.begin())};
   }
   try {
-    const RequestedStar star = stars_by_id(name, default_star_catalogue()).at(0);
-    return {name, DatedStar{star.star, star.epoch_jyear}};
+    const RequestedStar star = stars_by_id(given, default_star_catalogue()).at(0);
+    return {given, DatedStar{star.star, star.epoch_jyear}};
   } catch (const Error&) {
-    refuse("--bodies", name,
+    refuse("--bodies", given,
            fmt::format("a comma-separated list of sun, moon, {} and of stars by HR or HD number as in HR2491, "
                        "designation or name",
                        fmt::join(planet_names, ", ")));

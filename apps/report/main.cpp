@@ -143,9 +143,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
     if (!options.output.empty()) {
       require_writable(options.output);
     }
-    if (!app.get_subcommands().empty() && (batch->count() > 0 || !options.columns.empty())) {
-      throw Error(ErrorKind::argument,
-                  fmt::format("{}: takes no --batch and no --columns", app.get_subcommands()[0]->get_name()));
+    for (const CLI::App* command : app.get_subcommands()) {
+      if (batch->count() > 0 || !options.columns.empty()) {
+        throw Error(ErrorKind::argument, command->get_name() + ": takes no --batch and no --columns");
+      }
     }
     if (stars->parsed()) {
       report_stars(scene, options);

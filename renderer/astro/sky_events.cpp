@@ -121,13 +121,13 @@ public:
         crossings(stretch, track, track.above(twilight.sun_altitude), twilight.dawn, twilight.dusk);
       }
     }
-    for (const double x : track.east().sign_changes()) {
-      const bool upper = track.along_meridian(x, latitude_) > 0.0;
-      add_event(stretch, track, x, upper ? SkyEventKind::upper_transit : SkyEventKind::lower_transit);
+    for (const auto& change : track.east().sign_changes()) {
+      const bool upper = track.along_meridian(change.x, latitude_) > 0.0;
+      add_event(stretch, track, change.x, upper ? SkyEventKind::upper_transit : SkyEventKind::lower_transit);
     }
     widen(stretch, track, -1.0);
-    for (const double x : track.up().derivative().sign_changes()) {
-      widen(stretch, track, x);
+    for (const auto& change : track.up().derivative().sign_changes()) {
+      widen(stretch, track, change.x);
     }
     widen(stretch, track, 1.0);
     above_ = track.above_horizon().value(0.0) > 0.0;
@@ -149,10 +149,8 @@ public:
 private:
   void crossings(const Stretch& stretch, const Track& track, const SampledFunction& above, SkyEventKind upwards,
                  SkyEventKind downwards) {
-    // Changes alternate, so the last one's direction is that of the whole stretch or its opposite.
-    const std::vector<double> changes = above.sign_changes();
-    for (const double x : changes) {
-      add_event(stretch, track, x, above.slope(x) > 0.0 ? upwards : downwards);
+    for (const auto& change : above.sign_changes()) {
+      add_event(stretch, track, change.x, change.upward ? upwards : downwards);
     }
   }
   void add_event(const Stretch& stretch, const Track& track, double x, SkyEventKind kind) {

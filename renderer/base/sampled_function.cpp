@@ -16,7 +16,7 @@ std::array<Samples, count> make_cosines() {
   for (std::size_t j = 0; j < count; ++j) {
     for (std::size_t k = 0; k < count; ++k) {
       // The angle within one turn keeps the ends and the middle exact.
-      const auto turns = static_cast<double>(j * k % std::size_t{2 * degree}) / degree;
+      const auto turns = static_cast<double>(j * k % (2 * std::size_t{degree})) / degree;
       cosines[j][k] = std::cos(std::numbers::pi * turns);
     }
   }
@@ -133,7 +133,7 @@ double SampledFunction::zero_between(End from, End to) const {
   return x;
 }
 
-void SampledFunction::collect(End from, End to, std::vector<double>& changes) const {
+void SampledFunction::collect(End from, End to, std::vector<SignChange>& changes) const {
   constexpr double resolution = 1e-8;
   constexpr double rounding = 1e-15; // of a function of order one: no sign is to be had below it
   const double middle = 0.5 * (from.x + to.x);
@@ -145,7 +145,7 @@ void SampledFunction::collect(End from, End to, std::vector<double>& changes) co
   const bool monotone = std::abs(slope(middle)) > curvature_bound_ * half;
   if (monotone || half < resolution || slope_bound_ * half < rounding) {
     if (from.positive != to.positive) {
-      changes.push_back(zero_between(from, to));
+      changes.push_back({zero_between(from, to), to.positive});
     }
     return;
   }
@@ -154,8 +154,8 @@ void SampledFunction::collect(End from, End to, std::vector<double>& changes) co
   collect(between, to, changes);
 }
 
-std::vector<double> SampledFunction::sign_changes() const {
-  std::vector<double> changes;
+std::vector<SampledFunction::SignChange> SampledFunction::sign_changes() const {
+  std::vector<SignChange> changes;
   collect({-1.0, positive_before(-1.0)}, {1.0, positive_before(1.0)}, changes);
   return changes;
 }

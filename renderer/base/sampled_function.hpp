@@ -28,14 +28,20 @@ public:
   [[nodiscard]] double slope(double x) const;
   [[nodiscard]] SampledFunction derivative() const;
 
-  /// Every x where the function changes its sign, ascending, to the rounding of a double; of changes nearer than 2e-8
-  /// to each other only an odd one out. The function is of order one: what varies by less than 1e-15 has no signs.
+  struct SignChange {
+    double x;
+    bool upward; ///< from negative to positive
+  };
+
+  /// Every x where the function changes its sign, ascending, upward and downward by turns, to the rounding of a double;
+  /// of changes nearer than 2e-8 to each other only an odd one out. The function is of order one: what varies by less
+  /// than 1e-15 has no signs.
   ///
   /// Nothing is sampled on hope: bounds of the first two derivatives prove that a piece has no zero or one, or it is
   /// cut in two (Moore, Kearfott and Cloud 2009, Introduction to Interval Analysis, ch. 8). The sign at an end where
   /// the function is zero is the one before it, so that a zero on the border of two pieces with the same sample there
   /// belongs to the latter alone.
-  [[nodiscard]] std::vector<double> sign_changes() const;
+  [[nodiscard]] std::vector<SignChange> sign_changes() const;
 
 private:
   struct End {
@@ -43,7 +49,7 @@ private:
     bool positive;
   };
   SampledFunction() = default;
-  void collect(End from, End to, std::vector<double>& changes) const;
+  void collect(End from, End to, std::vector<SignChange>& changes) const;
   [[nodiscard]] bool positive_before(double x) const;
   [[nodiscard]] double zero_between(End from, End to) const;
 

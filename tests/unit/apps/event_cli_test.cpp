@@ -87,7 +87,7 @@ TEST_F(EventCli, PolarDaysAndNightsAreSaidPlainly) {
 
 TEST_F(EventCli, PlanetsAndStarsAndLowerTransits) {
   const CommandResult result =
-      events(std::string("--bodies venus,HR2491,polaris --lower-transits --time 2026-03-01") + madrid);
+      events(std::string("--bodies Venus,HR2491,polaris --lower-transits --time 2026-03-01") + madrid);
   ASSERT_EQ(result.status, 0) << result.err;
   const CsvTable day = table(result.out);
   EXPECT_EQ(day.cell(0, 1), "polaris");

@@ -51,7 +51,8 @@ TEST(SampledFunction, FindsEverySignChange) {
   const auto changes = sampled([](double x) { return std::sin(5.0 * x + 0.1); }).sign_changes();
   ASSERT_EQ(changes.size(), 3U);
   for (std::size_t i = 0; i < changes.size(); ++i) {
-    EXPECT_NEAR(changes[i], ((static_cast<double>(i) - 1.0) * std::numbers::pi - 0.1) / 5.0, 1e-10);
+    EXPECT_EQ(changes[i].upward, i == 1);
+    EXPECT_NEAR(changes[i].x, ((static_cast<double>(i) - 1.0) * std::numbers::pi - 0.1) / 5.0, 1e-10);
   }
 }
 
@@ -64,7 +65,7 @@ TEST(SampledFunction, TwoZerosHoweverNearAreFound) {
       const auto touching = sampled([&](double x) { return wave(x) - 0.5 * depth; }).sign_changes();
       if (inside) {
         ASSERT_EQ(touching.size(), 2U) << centre << " " << apart;
-        EXPECT_NEAR(touching[1] - touching[0], apart, 4e-15 / apart + 1e-13) << centre;
+        EXPECT_NEAR(touching[1].x - touching[0].x, apart, 4e-15 / apart + 1e-13) << centre;
       }
       EXPECT_TRUE(sampled([&](double x) { return wave(x) + 0.5 * depth; }).sign_changes().empty());
     }
@@ -87,7 +88,7 @@ TEST(SampledFunction, WhatNeverMovesHasNoSignChange) {
 TEST(SampledFunction, ATripleZeroIsOneSignChange) {
   const auto changes = sampled([](double x) { return x * x * x; }).sign_changes();
   ASSERT_EQ(changes.size(), 1U);
-  EXPECT_NEAR(changes[0], 0.0, 1e-5); // all that rounding leaves of it
+  EXPECT_NEAR(changes[0].x, 0.0, 1e-5); // all that rounding leaves of it
 }
 
 } // namespace
