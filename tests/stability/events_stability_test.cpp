@@ -16,7 +16,6 @@ using test::ErrorSum;
 
 constexpr double day_s = 86400.0;
 const std::array<SkyBody, 2> sun_and_moon{Luminary::sun, Luminary::moon};
-const std::array<SkyBody, 1> sun{Luminary::sun};
 
 Observer at(double latitude_deg, double longitude_deg, double height_m = 0.0) {
   return {latitude_deg * deg, longitude_deg * deg, height_m * metre};
