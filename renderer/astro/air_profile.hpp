@@ -60,8 +60,6 @@ private:
   std::vector<Node> nodes_;         ///< at equal steps of geopotential height
 };
 
-/// Mean radius of the Earth, km.
-inline constexpr double refraction_earth_radius_km = 6371.0;
 inline constexpr double top_of_air_km = 120.0;
 
 /// Heights in km between which the temperature profile is smooth, from below the ground to the top of the air.

@@ -76,7 +76,7 @@ Angle horizon_altitude(const Refraction& refraction, Length height) {
   }
   constexpr double bent = 0.17; // share of the Earth's curvature that a level ray follows
   const double curvature = refraction.model == RefractionModel::published ? 1.0 - bent : 1.0;
-  const double relative = std::max(height.to(kilometre), 0.0) * curvature / refraction_earth_radius_km;
+  const double relative = std::max(height.to(kilometre), 0.0) * curvature / f64::earth_radius_km;
   return -std::acos(1.0 / (1.0 + relative)) * rad;
 }
 

@@ -24,7 +24,8 @@ enum class RefractionModel {
 ///
 /// Against rays traced finely: within 0.1" above 10 degrees and 2" at the horizon. Below the horizon, where the ground
 /// hides all light from the sky, refraction goes on smoothly and vanishes at the nadir. Altitudes stay in their order,
-/// and going there and back leads back within 0.01".
+/// and going there and back
+/// leads back within 0.01" up to 9 km, 0.5" above the tropopause.
 struct RefractionTable {
   RefractionConditions conditions;
   Angle horizon;                ///< apparent altitude of the ray that grazes the ground, <= 0

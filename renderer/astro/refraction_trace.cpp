@@ -1,5 +1,7 @@
 #include "vesper/astro/refraction_trace.hpp"
 
+#include "vesper/base/shader_math.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -48,7 +50,7 @@ RefractionTracer::RefractionTracer(const RefractionConditions& conditions, Trace
 
 RefractionTracer::Optics RefractionTracer::optics(double height_km) const {
   const AirProfile::Air air = air_.at(height_km);
-  const double radius = refraction_earth_radius_km + height_km;
+  const double radius = f64::earth_radius_km + height_km;
   const double n = 1.0 + air.refractivity;
   const double slope = n + radius * air.gradient_per_km;
   return {n * radius, slope, -radius * air.gradient_per_km / slope};
