@@ -52,12 +52,20 @@ OutputKind output_kind(const std::string& path) {
               {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
 }
 
-ImageMetadata describe(const SceneOptions& scene) {
+std::string air_text(const Refraction& refraction) {
+  return refraction.model == RefractionModel::none
+             ? "no refraction"
+             : fmt::format("{:.2f} hPa, {:.2f} C", refraction.conditions.pressure_hpa,
+                           refraction.conditions.temperature_c);
+}
+
+ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan) {
   const View& view = scene.view;
   return {
       {"vesper:time", to_iso8601(scene.instant)},
       {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
                                    scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
+      {"vesper:air", air_text(plan.refraction)},
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
@@ -114,9 +122,9 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
 
   const auto start = std::chrono::steady_clock::now();
   if (kind == OutputKind::png) {
-    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene));
+    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene, plan));
   } else {
-    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene));
+    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene, plan));
   }
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   frame.timings.push_back({"write", elapsed.count()});

@@ -40,10 +40,9 @@ TEST(StandardAtmosphere, AtTabulatedHeights) {
   };
   ErrorSum pressure;
   ErrorSum temperature;
-  for (const Level& level :
-       {Level{0.0, 1013.25, 288.15}, Level{2.0, 795.01, 275.154}, Level{5.0, 540.48, 255.676},
-        Level{9.0, 308.00, 229.733}, Level{15.0, 121.11, 216.65}, Level{30.0, 11.970, 226.509},
-        Level{50.0, 0.79779, 270.65}, Level{80.0, 0.010524, 198.639}}) {
+  for (const Level& level : {Level{0.0, 1013.25, 288.15}, Level{2.0, 795.01, 275.154}, Level{5.0, 540.48, 255.676},
+                             Level{9.0, 308.00, 229.733}, Level{15.0, 121.11, 216.65}, Level{30.0, 11.970, 226.509},
+                             Level{50.0, 0.79779, 270.65}, Level{80.0, 0.010524, 198.639}}) {
     const RefractionConditions c = standard_conditions(level.height_km * kilometre);
     pressure.add(100.0 * (c.pressure_hpa / level.pressure_hpa - 1.0));
     temperature.add(c.temperature_c + 273.15 - level.temperature_k);

@@ -54,8 +54,7 @@ void expect_sound(const Refraction& air, double back_arcsec) {
     ASSERT_LT(up - last_up, 1.2 * step) << altitude / degree;
     ASSERT_LT(down - last_down, 30.0 * step) << altitude / degree;
     ASSERT_GE(up, altitude - 1e-12);
-    ASSERT_LT((test::separation(true_direction(seen, air), at(altitude))).to(arcsec), back_arcsec)
-        << altitude / degree;
+    ASSERT_LT((test::separation(true_direction(seen, air), at(altitude))).to(arcsec), back_arcsec) << altitude / degree;
     ASSERT_LT((test::separation(apparent_direction(source, air), at(altitude))).to(arcsec), back_arcsec)
         << altitude / degree;
     last_up = up;
