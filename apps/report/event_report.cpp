@@ -83,14 +83,14 @@ std::vector<EventRequest::Body> bodies_of(const std::string& list) {
   return bodies;
 }
 
-HorizonRule horizon_rule(Length height, const EventOptions& options) {
+HorizonRule horizon_rule(const SceneOptions& scene, const EventOptions& options) {
   const auto horizon = number_within(options.horizon, -10.0, 80.0);
   if (!horizon && !options.horizon.empty()) {
     refuse("--horizon", options.horizon, "-10 to 80 degrees");
   }
   if (options.refraction == "model") {
-    const Refraction air = with_table({RefractionModel::traced, standard_conditions(height), nullptr});
-    return HorizonRule::seen(air, horizon ? *horizon * deg : horizon_altitude(air, height));
+    const Refraction air = with_table(refraction_of(scene));
+    return HorizonRule::seen(air, horizon ? *horizon * deg : horizon_altitude(air, scene.observer.height));
   }
   if (options.refraction != "almanac") {
     refuse("--refraction", options.refraction, "almanac, model");
@@ -175,10 +175,10 @@ CLI::App* add_events_command(CLI::App& app, EventOptions& options) {
                                fmt::join(planet_names, ", ")))
       ->type_name("LIST");
   events
-      ->add_option(
-          "--refraction", options.refraction,
-          "almanac: the convention; model: the upper limbs of Sun and Moon in their true size, and planets and "
-          "stars, on the horizon as seen through the standard atmosphere at --height; default almanac")
+      ->add_option("--refraction", options.refraction,
+                   "almanac: the convention; model: as seen from --height through air of --pressure and --temperature, "
+                   "by the model of --tier: the upper limb of Sun and Moon in their true size, or a planet or star, on "
+                   "the horizon; default almanac")
       ->type_name("NAME");
   events
       ->add_option(
@@ -202,7 +202,7 @@ EventRequest event_request(const SceneOptions& scene, const EventOptions& option
   request.days = *days;
   request.note = instant_from_utc({request.first_midnight_jd + *days - 1.0, 0.5}).note;
   request.bodies = bodies_of(options.bodies);
-  request.rule = horizon_rule(scene.observer.height, options);
+  request.rule = horizon_rule(scene, options);
   request.lower_transits = options.lower_transits;
   return request;
 }

@@ -68,7 +68,8 @@ std::string scene_lines(const SkyState& sky, const std::vector<SceneColumn>& col
 
 void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   const std::vector<SceneColumn> columns = select_columns(options.columns);
-  const SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  sky.refraction = refraction_of(scene);
   deliver(options.json              ? scene_json(sky, columns)
           : options.columns.empty() ? scene_text(sky, default_star_catalogue())
                                     : scene_lines(sky, columns),

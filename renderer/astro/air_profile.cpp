@@ -114,11 +114,11 @@ AirProfile::AirProfile(const RefractionConditions& conditions) : observer_km_(co
   const double observer_geopotential = geopotential_km(observer_km_);
   warmer_k_ = observer_k - standard_temperature(observer_geopotential).k;
   // The density's unit cancels: hectopascals over kelvin, of an ideal gas.
-  refractivity_per_density_ = conditions.pressure_hpa > 0.0
-                                  ? air_refractivity(conditions.wavelength_nm, conditions.pressure_hpa,
-                                                     conditions.temperature_c) *
-                                        observer_k / conditions.pressure_hpa
-                                  : 0.0;
+  refractivity_per_density_ =
+      conditions.pressure_hpa > 0.0
+          ? air_refractivity(conditions.wavelength_nm, conditions.pressure_hpa, conditions.temperature_c) * observer_k /
+                conditions.pressure_hpa
+          : 0.0;
 
   const auto slope = [&](double h) { return -hydrostatic_k_per_km / (standard_temperature(h).k + warmer_k_); };
   const auto steps = static_cast<std::size_t>(std::ceil((geopotential_km(top_of_air_km) - lowest_km) / step_km));

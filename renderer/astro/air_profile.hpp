@@ -9,10 +9,10 @@ namespace vesper {
 
 /// What bends the light: the air at the observer and the light's wavelength.
 struct RefractionConditions {
-  Length height;                   ///< above the ellipsoid, -500 m to 100 km
-  double pressure_hpa = 1013.25;   ///< at the observer, 0 (no air) to 1100
-  double temperature_c = 15.0;     ///< at the observer, -90 to 60
-  double wavelength_nm = 555.0;    ///< in vacuum, 300 to 1700; by default where the eye sees best
+  Length height;                 ///< above the ellipsoid, -500 m to 100 km
+  double pressure_hpa = 1013.25; ///< at the observer, 0 (no air) to 1100
+  double temperature_c = 15.0;   ///< at the observer, -90 to 60
+  double wavelength_nm = 555.0;  ///< in vacuum, 300 to 1700; by default where the eye sees best
 };
 
 /// Pressure and temperature of the US Standard Atmosphere 1976 at a height; 555 nm.
@@ -60,8 +60,6 @@ private:
   std::vector<Node> nodes_;         ///< at equal steps of geopotential height
 };
 
-/// Mean radius of the Earth, km.
-inline constexpr double refraction_earth_radius_km = 6371.0;
 inline constexpr double top_of_air_km = 120.0;
 
 /// Heights in km between which the temperature profile is smooth, from below the ground to the top of the air.

@@ -1,5 +1,7 @@
 #include "vesper/astro/refraction.hpp"
 
+#include "vesper/base/error.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,13 @@ namespace {
 /// The published formula's pressure and temperature (Meeus 1998, chapter 16).
 double published_strength(const RefractionConditions& conditions) {
   return conditions.pressure_hpa / 1010.0 * 283.0 / (273.0 + conditions.temperature_c);
+}
+
+const RefractionTable& table_of(const Refraction& refraction) {
+  if (refraction.table == nullptr) {
+    throw Error(ErrorKind::argument, "a traced refraction lacks its table", {"", "", "Pass it through with_table()"});
+  }
+  return *refraction.table;
 }
 
 f64::sampler1D sampler_of(const RefractionTable& table) {
@@ -47,11 +56,11 @@ f64::RefractionFrame refraction_frame(const Refraction& refraction, std::optiona
     frame.strength = published_strength(refraction.conditions);
     break;
   case RefractionModel::traced:
-    frame = refraction.table->frame;
+    frame = table_of(refraction).frame;
     if (wavelength_nm) {
       // The ratio does not depend on the air's density.
       frame.strength = air_refractivity(*wavelength_nm, 1000.0, 0.0) /
-                       air_refractivity(refraction.table->conditions.wavelength_nm, 1000.0, 0.0);
+                       air_refractivity(table_of(refraction).conditions.wavelength_nm, 1000.0, 0.0);
     }
     break;
   }
@@ -72,11 +81,11 @@ Vec3 true_direction(const Vec3& apparent_direction, const Refraction& refraction
 
 Angle horizon_altitude(const Refraction& refraction, Length height) {
   if (refraction.model == RefractionModel::traced) {
-    return refraction.table->horizon;
+    return table_of(refraction).horizon;
   }
   constexpr double bent = 0.17; // share of the Earth's curvature that a level ray follows
   const double curvature = refraction.model == RefractionModel::published ? 1.0 - bent : 1.0;
-  const double relative = std::max(height.to(kilometre), 0.0) * curvature / refraction_earth_radius_km;
+  const double relative = std::max(height.to(kilometre), 0.0) * curvature / f64::earth_radius_km;
   return -std::acos(1.0 / (1.0 + relative)) * rad;
 }
 

@@ -15,16 +15,17 @@ namespace vesper {
 /// How starlight is bent.
 enum class RefractionModel {
   none,
-  published, ///< Saemundsson's formula: within 0.1' of rays traced through average air at sea level, above the horizon
+  published, ///< Saemundsson's formula: within 0.1' of traced rays above 5 degrees, 0.7' at the horizon
   traced,    ///< a table for the given conditions
 };
 
 /// Refraction for one observer, light of one wavelength and every altitude, traced once. Immutable; the functions below
 /// and shaders/lib/refraction.glsl read it.
 ///
-/// Against rays traced finely: within 0.1" above 10 degrees and 2" at the horizon. Below the horizon, where the ground
-/// hides all light from the sky, refraction goes on smoothly and vanishes at the nadir. Altitudes stay in their order,
-/// and going there and back leads back within 0.01".
+/// Against rays traced finely: within 0.01" above 10 degrees and 0.5" down to the horizon (1" around 12 km, where rays
+/// graze the tropopause), for -0.4 to 9 km, 500 to 1060 hPa, -40 to 45 C and 440 to 680 nm. Below the horizon, where
+/// the ground hides all light from the sky, refraction goes on smoothly and vanishes at the nadir. Altitudes stay in
+/// their order, and going there and back leads back within 0.01" up to 9 km, 0.5" above the tropopause.
 struct RefractionTable {
   RefractionConditions conditions;
   Angle horizon;                ///< apparent altitude of the ray that grazes the ground, <= 0
@@ -32,7 +33,7 @@ struct RefractionTable {
   std::vector<Vec4> texels;     ///< see shaders/lib/refraction.glsl
 };
 
-/// Traces 97 rays: about half a millisecond. Throws Error(argument) for conditions out of range.
+/// Traces 97 rays: 0.7 ms. Throws Error(argument) for conditions out of range.
 [[nodiscard]] RefractionTable make_refraction_table(const RefractionConditions& conditions);
 
 /// Altitude at which a source is seen whose altitude without air is given, -90 to 90 degrees.
@@ -50,9 +51,10 @@ struct Refraction {
 /// The same with the table that its model needs. Throws Error(argument) for conditions out of range.
 [[nodiscard]] Refraction with_table(Refraction refraction);
 
-/// In the form that shaders/lib/refraction.glsl takes. A `traced` refraction must have its table.
+/// In the form that shaders/lib/refraction.glsl takes. Throws Error(argument), as all that follow, for a `traced`
+/// refraction without its table.
 /// \param wavelength_nm of the light if not the table's own: the table is then scaled by the ratio of refractivities,
-///        which costs 0.01" above 10 degrees and up to 4" at the horizon over 440 to 680 nm from a table for 555 nm;
+///        which costs 0.02" above 10 degrees and 2" at the horizon over 440 to 680 nm from a table for 555 nm;
 ///        without meaning for the published formula
 [[nodiscard]] f64::RefractionFrame refraction_frame(const Refraction& refraction,
                                                     std::optional<double> wavelength_nm = std::nullopt);

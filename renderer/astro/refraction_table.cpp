@@ -112,7 +112,8 @@ RefractionTable make_refraction_table(const RefractionConditions& conditions) {
 
   double apparent = -0.5 * std::numbers::pi;
   for (int node = 0; node <= below + above; ++node) {
-    const double sine = std::min(std::max(sine_of(node, frame.horizon_true, frame.scale_true), 1.0e-7 - 1.0), 1.0 - 1.0e-7);
+    const double sine =
+        std::min(std::max(sine_of(node, frame.horizon_true, frame.scale_true), 1.0e-7 - 1.0), 1.0 - 1.0e-7);
     const double altitude = altitude_rad(sine);
     apparent = solved_apparent_rad(altitude, std::max(apparent, altitude), table);
     bend_at(node) = (apparent - altitude) / std::cos(altitude);

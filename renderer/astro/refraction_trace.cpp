@@ -1,5 +1,7 @@
 #include "vesper/astro/refraction_trace.hpp"
 
+#include "vesper/base/shader_math.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -35,8 +37,10 @@ void gauss_legendre(int order, std::vector<double>& abscissae, std::vector<doubl
 RefractionTracer::RefractionTracer(const RefractionConditions& conditions, TraceQuality quality)
     : air_(conditions), ground_km_(std::min(0.0, air_.observer_km())), panels_(quality == TraceQuality::fine ? 4 : 1) {
   gauss_legendre(quality == TraceQuality::fine ? 16 : 6, abscissae_, weights_);
-  boundaries_km_ = quality == TraceQuality::fine ? air_profile_corners_km()
-                                                 : std::vector<double>{10.0, 12.0, 20.0, 32.0, 50.0, top_of_air_km};
+  // The fast way minds the corners below 21 km only: above, there is little left to bend light.
+  boundaries_km_ = quality == TraceQuality::fine
+                       ? air_profile_corners_km()
+                       : std::vector<double>{10.016, 12.023, 19.057, 21.070, 32.0, 50.0, top_of_air_km};
   constexpr double step_km = 0.05;
   for (double height = air_.observer_km(); height > ground_km_; height -= step_km) {
     if (optics(height).n_r_slope < least_slope) {
@@ -48,7 +52,7 @@ RefractionTracer::RefractionTracer(const RefractionConditions& conditions, Trace
 
 RefractionTracer::Optics RefractionTracer::optics(double height_km) const {
   const AirProfile::Air air = air_.at(height_km);
-  const double radius = refraction_earth_radius_km + height_km;
+  const double radius = f64::earth_radius_km + height_km;
   const double n = 1.0 + air.refractivity;
   const double slope = n + radius * air.gradient_per_km;
   return {n * radius, slope, -radius * air.gradient_per_km / slope};

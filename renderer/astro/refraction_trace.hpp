@@ -10,14 +10,14 @@ namespace vesper {
 
 /// How finely a ray is integrated.
 enum class TraceQuality {
-  fast, ///< within 0.001 arcsec of `fine` wherever light gets through the standard atmosphere
+  fast, ///< within 0.01 arcsec of `fine` up to 13 km
   fine, ///< converged to 1e-6 arcsec: the reference
 };
 
 struct TracedRay {
-  Angle refraction;       ///< apparent less true altitude, >= 0
-  bool hits_ground;       ///< no light from the sky comes this way; then `refraction` is zero
-  Length lowest;          ///< the lowest point between the observer and space
+  Angle refraction; ///< apparent less true altitude, >= 0
+  bool hits_ground; ///< no light from the sky comes this way; then `refraction` is zero
+  Length lowest;    ///< the lowest point between the observer and space
 };
 
 /// Traces rays backward from the observer through spherical shells of air.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/observer.hpp"
+#include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/units.hpp"
@@ -31,6 +32,7 @@ struct SkyState {
   Observer observer;
   Tier tier = Tier::standard;
   StarFrame stars;
+  Refraction refraction; ///< of the standard atmosphere, without a table, as sky_state() leaves it
   BodyPlace sun;
   MoonState moon;
   double seconds = 0.0; ///< TT seconds since J2000.0, the clock of scintillation

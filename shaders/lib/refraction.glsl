@@ -22,7 +22,7 @@ struct RefractionFrame {
 // The table's nodes stand at equal steps of arc_sinh((sin(altitude) - horizon) / width) below and above the horizon.
 // A texel: bend at the apparent altitude, its slope by arc_sinh, the same at the true altitude.
 CONSTANT Real refraction_width = Real(0.03);
-CONSTANT int refraction_intervals_below = 32;
+CONSTANT int refraction_intervals_below = 64;
 CONSTANT int refraction_intervals_above = 96;
 
 FN Real arc_sinh(Real x) {

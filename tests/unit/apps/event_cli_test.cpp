@@ -120,6 +120,11 @@ TEST_F(EventCli, TracedRefractionAndHeightMoveTheSunset) {
   EXPECT_LT(high.at("altitude_deg").get<double>(),
             low.at("altitude_deg").get<double>() - 1.5); // the dip is 1.6 degrees
   EXPECT_GT(high.at("time").get<std::string>(), low.at("time").get<std::string>());
+  // Cold dense air bends more; without air the limb sets where it is.
+  EXPECT_LT(sunset("--refraction model --height 0 --temperature -30").at("altitude_deg").get<double>(),
+            low.at("altitude_deg").get<double>() - 0.05);
+  EXPECT_NEAR(sunset("--refraction model --height 0 --pressure 0").at("altitude_deg").get<double>(), -15.8 / 60.0,
+              0.1 / 60.0); // the Sun's semidiameter in August
   EXPECT_LT(sunset("--horizon 5").at("time").get<std::string>(), low.at("time").get<std::string>());
   EXPECT_NEAR(sunset("--horizon 5").at("altitude_deg").get<double>(), 5.0 - 50.0 / 60.0, 1e-9);
 }
