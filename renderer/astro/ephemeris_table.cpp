@@ -124,7 +124,7 @@ EphemerisTable::EphemerisTable(std::span<const unsigned char> bytes) {
     const std::string where = fmt::format("series {}", i);
     const std::string_view name(row.name, ::strnlen(row.name, sizeof row.name));
     if (name != series_names[i]) {
-      fail(fmt::format("names it \"{}\" instead of \"{}\"", name, series_names[i]), where);
+      fail(fmt::format("is named '{}' instead of '{}'", name, series_names[i]), where);
     }
     if (row.segments == 0 || row.wide_orders == 0 || row.wide_orders > row.orders || row.orders > most_orders ||
         !(row.quantum > 0.0 && std::isfinite(row.quantum))) {
