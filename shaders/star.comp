@@ -7,6 +7,7 @@
 #include "lib/star_place.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
+#include "lib/refraction.glsl"
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
 #include "star_block.glsl"
@@ -17,6 +18,8 @@ layout(local_size_x = 64) in;
 const uint record_floats = 14u;
 layout(std430, binding = 0) readonly buffer Records { float records[]; };
 layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
+
+layout(binding = 0) uniform sampler1D refraction_table;
 
 // What star.vert reads; the C++ twin is StarBillboard in renderer/gpu/star_pass.cpp.
 struct StarBillboard {
@@ -58,7 +61,7 @@ vec3 record_vec3(uint at) { return vec3(records[at], records[at + 1u], records[a
 // What all billboards of a star share.
 struct PlacedStar {
   dvec3 direction; // unit vector in view axes
-  float sin_altitude;
+  float sin_altitude; // apparent
   uint key;     // of its random numbers
   vec4 light;   // X, Y, Z, S illuminance behind the air, lux
   float radius; // of the billboard, pixels
@@ -72,7 +75,11 @@ PlacedStar place(uint star) {
                                         block.sun_to_observer, block.solar_potential);
   dvec3 icrs = star_place(dvec3(record_vec3(at)), dvec3(record_vec3(at + 3u)), double(records[at + 6u]),
                           double(records[at + 7u]), frame);
-  dvec3 horizon = normalize(block.horizon_from_icrs * icrs);
+  RefractionFrame refraction =
+      RefractionFrame(block.refraction_kind, block.refraction_strength, block.refraction_horizons.x,
+                      block.refraction_horizons.y, block.refraction_scales.xy, block.refraction_scales.zw);
+  dvec3 horizon =
+      apparent_direction(normalize(block.horizon_from_icrs * icrs), refraction, refraction_table);
   float sin_altitude = float(horizon.z);
   float path = optical_path(sin_altitude, block.observer_height_km);
   vec4 color = vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);

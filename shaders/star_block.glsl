@@ -22,4 +22,8 @@ layout(std140, binding = 0) uniform StarBlock {
   uint frame_number;        // of the cheap tier's scintillation
   uint star_count;
   vec2 strip;               // first row and number of rows that the framebuffer holds
+  vec4 refraction_scales;   // RefractionFrame: scale_apparent, scale_true
+  vec2 refraction_horizons; // horizon_apparent, horizon_true
+  int refraction_kind;
+  float refraction_strength;
 } block;

@@ -94,6 +94,24 @@ std::string apply_height(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_pressure(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, 0.0, 1100.0);
+  if (!value) {
+    return "0 to 1100 hPa";
+  }
+  scene.pressure_hpa = *value;
+  return "";
+}
+
+std::string apply_temperature(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -90.0, 60.0);
+  if (!value) {
+    return "-90 to 60 degrees Celsius";
+  }
+  scene.temperature_c = *value;
+  return "";
+}
+
 std::string apply_projection(std::string_view text, SceneOptions& scene) {
   const auto projection = projection_from_name(text);
   if (!projection) {
@@ -230,6 +248,12 @@ constexpr std::array table{
                            "Longitude, east positive, -180 to 360; default Greenwich, 0", apply_longitude},
     SceneOptionDescription{"height", Kind::number, "M", place,
                            "Height above the ellipsoid, -500 to 100000; default 0, at Greenwich 47", apply_height},
+    SceneOptionDescription{"pressure", Kind::number, "HPA", place,
+                           "Air pressure at the observer, 0 to 1100; default that of the standard atmosphere",
+                           apply_pressure},
+    SceneOptionDescription{"temperature", Kind::number, "C", place,
+                           "Air temperature at the observer, -90 to 60; default that of the standard atmosphere",
+                           apply_temperature},
     SceneOptionDescription{"projection", Kind::text, "NAME", view,
                            "perspective, fisheye, stereographic, equirectangular or cubemap; default fisheye",
                            apply_projection},

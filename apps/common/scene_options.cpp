@@ -101,6 +101,15 @@ SceneOptions SceneOptionSet::resolve(Assumptions assumptions) const {
   return scene;
 }
 
+Refraction refraction_of(const SceneOptions& scene) {
+  Refraction refraction;
+  refraction.model = scene.tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced;
+  refraction.conditions = standard_conditions(scene.observer.height);
+  refraction.conditions.pressure_hpa = scene.pressure_hpa.value_or(refraction.conditions.pressure_hpa);
+  refraction.conditions.temperature_c = scene.temperature_c.value_or(refraction.conditions.temperature_c);
+  return refraction;
+}
+
 SceneOptions scene_from(const GivenOptions& given) {
   SceneOptions scene;
   for (const SceneOptionDescription& described : scene_option_table()) {

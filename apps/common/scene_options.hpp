@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/observer.hpp"
+#include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/plan/layers.hpp"
@@ -15,6 +16,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -29,6 +31,8 @@ struct SceneOptions {
   bool latitude_given = false;
   bool longitude_given = false;
   bool height_given = false;
+  std::optional<double> pressure_hpa;  ///< at the observer; the standard atmosphere's if not given
+  std::optional<double> temperature_c; ///< likewise
   View view;
   Tier tier = Tier::standard;
   LayerSet layers = all_layers();
@@ -43,6 +47,10 @@ struct GivenOption {
   std::string place; ///< "line 3" of a key
 };
 using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
+
+/// How the scene bends light: the model of its tier, under the air that was given or else the standard atmosphere's at
+/// the height. Without a table.
+[[nodiscard]] Refraction refraction_of(const SceneOptions& scene);
 
 enum class Assumptions { said, silent };
 

@@ -29,6 +29,7 @@ struct RenderOptions {
   std::string shader_dir;
   std::string scintillation = "on";
   std::string extinction = "on";
+  std::string refraction = "on";
   double exposure_time_s = AirOptions{}.exposure_s;
   double exposure_stops = 0.0;
   bool timings = false;
@@ -51,12 +52,20 @@ OutputKind output_kind(const std::string& path) {
               {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
 }
 
-ImageMetadata describe(const SceneOptions& scene) {
+std::string air_text(const Refraction& refraction) {
+  return refraction.model == RefractionModel::none
+             ? "no refraction"
+             : fmt::format("{:.2f} hPa, {:.2f} C", refraction.conditions.pressure_hpa,
+                           refraction.conditions.temperature_c);
+}
+
+ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan) {
   const View& view = scene.view;
   return {
       {"vesper:time", to_iso8601(scene.instant)},
       {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
                                    scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
+      {"vesper:air", air_text(plan.refraction)},
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
@@ -83,11 +92,15 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   FrameOptions frame_options;
   frame_options.layers = scene.layers;
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
+  frame_options.air.refraction = options.refraction == "on";
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;
 
-  const SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  if (frame_options.air.refraction) {
+    sky.refraction = with_table(refraction_of(scene));
+  }
   const FramePlan plan = plan_frame(sky, scene.view, catalogue.stars, frame_options);
 
   const gpu::HeadlessContext context;
@@ -109,9 +122,9 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
 
   const auto start = std::chrono::steady_clock::now();
   if (kind == OutputKind::png) {
-    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene));
+    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene, plan));
   } else {
-    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene));
+    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene, plan));
   }
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   frame.timings.push_back({"write", elapsed.count()});
@@ -136,6 +149,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                  "seconds that scintillation is averaged over (default 0.1, the eye's)")
       ->check(CLI::Range(0.0, 1.0e6));
   app.add_option("--extinction", options.extinction, "dimming of the stars by the air: on, off")->check(on_off);
+  app.add_option("--refraction", options.refraction, "bending of light by the air: on, off")->check(on_off);
   app.add_option("--exposure", options.exposure_stops, "stops over the default exposure of a PNG, -30 to 30")
       ->check(CLI::Range(-30.0, 30.0));
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")

@@ -1,6 +1,7 @@
 // vesper-report: what the sky is at a place and time.
 #include "report/batch.hpp"
 #include "report/eclipse_report.hpp"
+#include "report/event_report.hpp"
 #include "report/scene_columns.hpp"
 #include "report/scene_text.hpp"
 #include "report/star_report.hpp"
@@ -30,6 +31,7 @@ struct ReportOptions {
   std::string catalogue;
   std::string from, to, kind;
   std::string shadow = "danjon";
+  EventOptions events;
 };
 
 void deliver(const std::string& text, const std::string& path) {
@@ -71,7 +73,8 @@ std::string scene_lines(const SkyState& sky, const std::vector<SceneColumn>& col
 
 void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   const std::vector<SceneColumn> columns = select_columns(options.columns);
-  const SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  sky.refraction = refraction_of(scene);
   deliver(options.json              ? scene_json(sky, columns)
           : options.columns.empty() ? scene_text(sky, default_star_catalogue())
                                     : scene_lines(sky, columns),
@@ -114,6 +117,14 @@ void report_eclipses(const SceneOptions& scene, const ReportOptions& options) {
   deliver(report.text, options.output);
 }
 
+void report_events(const SceneOptions& scene, const ReportOptions& options) {
+  const EventRequest request = event_request(scene, options.events);
+  if (scene.instant.note.empty() && !request.note.empty()) {
+    spdlog::info("{}", request.note);
+  }
+  deliver(options.json ? event_report_json(scene, request) : event_report_csv(scene, request), options.output);
+}
+
 } // namespace
 } // namespace vesper
 
@@ -148,6 +159,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->type_name("KIND");
   eclipses->add_option("--shadow", options.shadow, "The Earth's shadow: danjon (default) or chauvenet")
       ->type_name("MODEL");
+
+  const CLI::App* events = add_events_command(app, options.events);
   app.require_subcommand(0, 1);
 
   return run_program(argc, argv, app, [&] {
@@ -165,6 +178,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       report_stars(scene, options);
     } else if (eclipses->parsed()) {
       report_eclipses(scene, options);
+    } else if (events->parsed()) {
+      report_events(scene, options);
     } else if (in_batch) {
       report_batch(scene, options);
     } else {

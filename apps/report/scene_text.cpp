@@ -25,6 +25,17 @@ std::string where(Angle azimuth, Angle altitude) {
                      compass_point(azimuth));
 }
 
+/// The same with the altitude that refraction makes of it, for what stands above or little below the horizon.
+std::string where(const BodyPlace& body, const Refraction& refraction) {
+  std::string text = where(body.azimuth, body.altitude);
+  constexpr Angle hidden_below = -2.0 * deg;
+  if (refraction.model != RefractionModel::none && body.altitude > hidden_below) {
+    const Angle apparent = horizontal_of(apparent_direction(body.direction_horizon, refraction)).altitude;
+    text += fmt::format(", apparent altitude {:.2f}°", apparent.to(deg));
+  }
+  return text;
+}
+
 std::string star_label(const StarIdentity& star) {
   if (const std::string_view name = proper_name(star.hr); !name.empty()) {
     return std::string(name);
@@ -139,6 +150,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
 
 std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   const BodyPlace& moon = sky.moon.place;
+  const Refraction refraction = with_table(sky.refraction);
   const bool waxing = std::sin((moon.right_ascension - sky.sun.right_ascension).to(rad)) > 0.0;
   std::string text;
   auto out = std::back_inserter(text);
@@ -148,8 +160,8 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   }
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
   fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
-  fmt::format_to(out, "Sun     {}\n", where(sky.sun.azimuth, sky.sun.altitude));
-  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon.azimuth, moon.altitude),
+  fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction));
+  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon, refraction),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
   text += eclipse_text(sky);
   const bool hidden = sky.sun.altitude > -6.0 * deg;

@@ -40,3 +40,12 @@ using glm::sqrt;
 using glm::step;
 using glm::tan;
 using glm::transpose;
+
+/// A one-dimensional texture of RGBA texels in memory.
+struct sampler1D { // NOLINT(readability-identifier-naming)
+  const vec4* texels = nullptr;
+  int width = 0;
+};
+inline vec4 texelFetch(sampler1D texture, int texel, int /*level*/) { // NOLINT(readability-identifier-naming)
+  return texel >= 0 && texel < texture.width ? texture.texels[texel] : vec4(Real(0));
+}

@@ -50,6 +50,17 @@ Texture make_texture(int width, int height, PixelFormat format) {
   return texture;
 }
 
+Texture make_row_texture(std::span<const float> rgba) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_1D, 1, &name);
+  Texture texture(name);
+  const auto width = static_cast<GLsizei>(rgba.size() / 4);
+  glTextureStorage1D(name, 1, GL_RGBA32F, width);
+  glTextureSubImage1D(name, 0, 0, width, GL_RGBA, GL_FLOAT, rgba.data());
+  require_no_error("creating a texture");
+  return texture;
+}
+
 Framebuffer make_framebuffer(const Texture& color) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);

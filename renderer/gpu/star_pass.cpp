@@ -37,13 +37,18 @@ struct StarBlock {
   std::uint32_t star_count;
   std::uint32_t padding;
   std::array<float, 2> strip;
+  std::array<float, 4> refraction_scales;
+  std::array<float, 2> refraction_horizons;
+  std::int32_t refraction_kind;
+  float refraction_strength;
 };
 static_assert(offsetof(StarBlock, view_from_horizon) == 96 && offsetof(StarBlock, observer_au) == 192 &&
               offsetof(StarBlock, years) == 216 && offsetof(StarBlock, velocity_c) == 224 &&
               offsetof(StarBlock, sun_to_observer) == 256 && offsetof(StarBlock, size) == 288 &&
               offsetof(StarBlock, focal) == 304 && offsetof(StarBlock, seconds) == 312 &&
               offsetof(StarBlock, optical_depth) == 320 && offsetof(StarBlock, observer_height_km) == 336 &&
-              offsetof(StarBlock, control_magnitude) == 352 && offsetof(StarBlock, strip) == 376);
+              offsetof(StarBlock, control_magnitude) == 352 && offsetof(StarBlock, strip) == 376 &&
+              offsetof(StarBlock, refraction_scales) == 384 && sizeof(StarBlock) == 416);
 
 /// What star.comp writes and star.vert reads, std430.
 struct StarBillboard {
@@ -93,6 +98,14 @@ StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& pla
   block.seed = plan.options.seed;
   block.frame_number = plan.options.frame_number;
   block.star_count = static_cast<std::uint32_t>(plan.star_count);
+  const f64::RefractionFrame refraction = refraction_frame(plan.refraction);
+  block.refraction_scales = {static_cast<float>(refraction.scale_apparent.x),
+                             static_cast<float>(refraction.scale_apparent.y),
+                             static_cast<float>(refraction.scale_true.x), static_cast<float>(refraction.scale_true.y)};
+  block.refraction_horizons = {static_cast<float>(refraction.horizon_apparent),
+                               static_cast<float>(refraction.horizon_true)};
+  block.refraction_kind = refraction.kind;
+  block.refraction_strength = static_cast<float>(refraction.strength);
   return block;
 }
 
@@ -154,12 +167,14 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
   }
   draw_program_ = &draw_programs_.get(defines);
   update_buffer(uniforms_, bytes_of(star_block(sky, view, plan, epoch_jyear_)));
+  refraction_.update(plan.refraction);
 
   glUseProgram(place_program.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, records_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, numbers_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, billboards_.name());
+  refraction_.bind(0);
   const auto groups = (static_cast<GLuint>(plan.star_count) + invocations_per_group - 1) / invocations_per_group;
   glDispatchCompute(groups, 1, 1);
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

@@ -5,6 +5,7 @@
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
+#include "vesper/gpu/refraction_texture.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -38,6 +39,7 @@ private:
   Buffer numbers_;
   Buffer billboards_;
   Buffer uniforms_;
+  RefractionTexture refraction_;
   VertexArray vertices_;
   const ProgramHandle* draw_program_ = nullptr;
   std::size_t instances_ = 0;

@@ -38,9 +38,10 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   if (options.air.extinction) {
     plan.optical_depth = clear_air_optical_depth_xyzs();
   }
-  const double height_km = std::max(0.0, sky.observer.height.to(kilometre));
-  const double ratio = f64::earth_radius_km / (f64::earth_radius_km + height_km);
-  plan.horizon_sin_altitude = -std::sqrt(1.0 - ratio * ratio);
+  if (options.air.refraction) {
+    plan.refraction = with_table(sky.refraction);
+  }
+  plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
   return plan;
 }
 

@@ -15,6 +15,7 @@ namespace vesper {
 
 /// How much of the air between the observer and the stars is modelled.
 struct AirOptions {
+  bool refraction = true;
   bool extinction = true;
   bool scintillation = true;
   /// Seconds over which scintillation is averaged: the eye's integration time by default; 0 for an instant.
@@ -43,7 +44,8 @@ struct FramePlan {
   std::size_t star_count = 0; ///< a prefix of the catalogue
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};       ///< of one zenith column, in X, Y, Z, S
-  double horizon_sin_altitude = 0.0; ///< of the geometric horizon, dipped by the observer's height
+  Refraction refraction;      ///< with its table
+  double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.

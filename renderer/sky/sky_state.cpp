@@ -61,6 +61,8 @@ SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier) 
   state.instant = instant;
   state.observer = observer;
   state.tier = tier;
+  state.refraction.model = tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced;
+  state.refraction.conditions = standard_conditions(observer.height);
   state.stars = tier == Tier::cheap ? star_frame(instant, observer, tier) : frame;
   state.sun = body_place(sun_au, frame);
   state.moon = moon_state(moon_au, sun_au, state.sun, frame);

@@ -4,6 +4,7 @@
 #include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/observer.hpp"
 #include "vesper/astro/solar_eclipse.hpp"
+#include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/units.hpp"
@@ -33,6 +34,7 @@ struct SkyState {
   Observer observer;
   Tier tier = Tier::standard;
   StarFrame stars;
+  Refraction refraction; ///< of the standard atmosphere, without a table, as sky_state() leaves it
   BodyPlace sun;
   MoonState moon;
   LunarEclipseState lunar_eclipse; ///< Danjon's shadow, whether the Moon is near it or not

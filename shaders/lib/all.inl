@@ -3,6 +3,7 @@
 #include "vesper/shaders/lib/star_place.glsl"
 #include "vesper/shaders/lib/projection.glsl"
 #include "vesper/shaders/lib/star_psf.glsl"
+#include "vesper/shaders/lib/refraction.glsl"
 #include "vesper/shaders/lib/extinction.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"

@@ -1,5 +1,6 @@
 // Extinction along an optical path through a spherical shell of constant density (Buchholz in Mueller et al. 2012,
-// eq. 11 and 12), in the form that holds at the zenith, below the horizon and at any height.
+// eq. 11 and 12), in the form that holds at the zenith, below the horizon and at any height. Rays are straight: with
+// refraction, the apparent altitude is the one to take, along which they run through the densest air.
 
 CONSTANT Real earth_radius_km = Real(6371.0);
 CONSTANT Real air_scale_height_km = Real(8.0);

@@ -1,4 +1,5 @@
 // The optical path and the extinction of clear air against published figures.
+#include "vesper/astro/refraction.hpp"
 #include "vesper/atmosphere/clear_air.hpp"
 #include "vesper/base/shader_math.hpp"
 
@@ -31,6 +32,18 @@ TEST(OpticalPath, FollowsThePublishedAirMass) {
   EXPECT_LT(worst_high, 0.02);
   // A homogeneous shell and straight rays: 40 air masses at the true horizon against 32 with refraction.
   EXPECT_LT(worst_low, 0.30);
+}
+
+TEST(OpticalPath, AtTheApparentAltitudeFollowsItToTheHorizon) {
+  // With the altitude that refraction makes of the true one.
+  const RefractionTable air = make_refraction_table(standard_conditions(0.0 * metre));
+  double worst = 0.0;
+  for (double altitude = 0.0; altitude <= 10.0; altitude += 0.25) {
+    const double ours = f64::optical_path(std::sin(apparent_altitude(altitude * deg, air).to(rad)), 0.0);
+    worst = std::max(worst, std::abs(ours / young_air_mass(altitude) - 1.0));
+  }
+  std::printf("optical path at apparent altitudes against Young 1994: worst %.1f %% below 10 degrees\n", 100.0 * worst);
+  EXPECT_LT(worst, 0.09);
 }
 
 TEST(OpticalPath, HoldsWhereThePrintedFormulaFails) {

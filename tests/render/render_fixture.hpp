@@ -38,6 +38,7 @@ inline FrameOptions bare_stars() {
   FrameOptions options;
   options.layers.reset();
   options.layers.set(static_cast<std::size_t>(Layer::stars));
+  options.air.refraction = false;
   options.air.extinction = false;
   options.air.scintillation = false;
   return options;

@@ -1,7 +1,10 @@
 // shaders/lib on the GPU against the same text compiled as C++ in single precision.
 #include "render/render_fixture.hpp"
 
+#include "vesper/gpu/refraction_texture.hpp"
+
 #include <epoxy/gl.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cstdio>
@@ -17,7 +20,9 @@ namespace {
 using Inputs = std::vector<glm::vec4>;
 
 /// Evaluates a GLSL expression of `vec4 v` for every input and returns the vec4 results.
-std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inputs& inputs) {
+/// The expression may read a refraction table, a sampler1D named `table`.
+std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inputs& inputs,
+                                       const Refraction& refraction = {}) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("vesper_harness_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
@@ -27,11 +32,13 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/star_place.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
+#include "lib/refraction.glsl"
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
 #include "lib/display.glsl"
 layout(local_size_x = 64) in;
+layout(binding = 0) uniform sampler1D table; // of refraction
 layout(std430, binding = 0) readonly buffer In { vec4 inputs[]; };
 layout(std430, binding = 1) writeonly buffer Out { vec4 outputs[]; };
 void main() {
@@ -50,6 +57,9 @@ void main() {
 
   const gpu::Buffer in = gpu::make_static_buffer(std::as_bytes(std::span(inputs)));
   const gpu::Buffer out = gpu::make_dynamic_buffer(inputs.size() * sizeof(glm::vec4));
+  gpu::RefractionTexture table;
+  table.update(refraction);
+  table.bind(0);
   glUseProgram(program.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out.name());
@@ -262,6 +272,68 @@ TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
     std::printf("%-38s worst relative difference %.1e over %zu points\n", function.name.c_str(),
                 static_cast<double>(worst), inputs.size());
     EXPECT_LE(worst, function.tolerance);
+  }
+}
+
+/// Single precision's refraction, as the GPU gets it.
+struct FloatRefraction {
+  explicit FloatRefraction(const Refraction& refraction) {
+    const f64::RefractionFrame exact = refraction_frame(refraction);
+    frame = {exact.kind,
+             static_cast<float>(exact.strength),
+             static_cast<float>(exact.horizon_apparent),
+             static_cast<float>(exact.horizon_true),
+             f32::vec2(exact.scale_apparent),
+             f32::vec2(exact.scale_true)};
+    if (refraction.table != nullptr) {
+      texels.assign(refraction.table->texels.begin(), refraction.table->texels.end());
+    }
+  }
+  [[nodiscard]] f32::sampler1D sampler() const { return {texels.data(), static_cast<int>(texels.size())}; }
+  [[nodiscard]] std::string glsl() const {
+    return fmt::format("RefractionFrame({}, {:.9e}, {:.9e}, {:.9e}, vec2({:.9e}, {:.9e}), vec2({:.9e}, {:.9e}))",
+                       frame.kind, frame.strength, frame.horizon_apparent, frame.horizon_true, frame.scale_apparent.x,
+                       frame.scale_apparent.y, frame.scale_true.x, frame.scale_true.y);
+  }
+
+  f32::RefractionFrame frame{};
+  std::vector<f32::vec4> texels;
+};
+
+TEST_F(ShaderMathGpu, RefractionAgreesWithItsTwin) {
+  // Crowded towards the horizon, with the poles: x is the sine of the altitude.
+  Inputs inputs;
+  for (int i = -1000; i <= 1000; ++i) {
+    const float t = static_cast<float>(i) * 1.0e-3F;
+    inputs.emplace_back(t * t * t, 0.0F, 0.0F, 0.0F);
+  }
+  for (const RefractionModel model : {RefractionModel::traced, RefractionModel::published, RefractionModel::none}) {
+    for (const double height_km : {0.0, 12.0}) {
+      const Refraction refraction = with_table({model, standard_conditions(height_km * kilometre), nullptr});
+      const FloatRefraction ours(refraction);
+      const std::string direction = "dvec3(sqrt(max(1.0lf - double(v.x) * double(v.x), 0.0lf)), 0.0lf, double(v.x))";
+      const std::string of = "(" + direction + ", " + ours.glsl() + ", table)";
+      // Displacements: the directions themselves would round to 0.01 arcsec.
+      const std::vector<glm::vec4> results =
+          evaluate_on_gpu("vec4(vec2((apparent_direction" + of + " - " + direction + ").xz), vec2((true_direction_of" +
+                              of + " - " + direction + ").xz))",
+                          inputs, refraction);
+      double worst = 0.0;
+      for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const double sine = static_cast<double>(inputs[i].x);
+        const Vec3 v(std::sqrt(std::max(1.0 - sine * sine, 0.0)), 0.0, sine);
+        const f32::vec3 v32(v);
+        const auto up = static_cast<double>(f32::refraction_bend(v32, false, ours.frame, ours.sampler()));
+        const auto down = static_cast<double>(f32::refraction_bend(v32, true, ours.frame, ours.sampler()));
+        const Vec3 raised = f64::raised(v, up) - v;
+        const Vec3 lowered = f64::raised(v, -down) - v;
+        worst = std::max(worst, glm::length(Vec4(results[i]) - Vec4(raised.x, raised.z, lowered.x, lowered.z)));
+      }
+      std::printf("refraction model %d from %g km: worst %.1e arcsec\n", static_cast<int>(model), height_km,
+                  (worst * rad).to(arcsec));
+      // The published formula takes the cotangent of a small angle.
+      EXPECT_LT((worst * rad).to(arcsec), model == RefractionModel::published ? 0.05 : 0.01);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 #include "vesper/astro/star_place.hpp"
 
 #include <cstdio>
+#include <numbers>
 
 namespace vesper::test {
 namespace {
@@ -30,7 +31,8 @@ Vec2 expected_pixel(const StarRecord& star, const SkyState& sky, const View& vie
                                     Vec3(star.proper_motion[0], star.proper_motion[1], star.proper_motion[2]),
                                     static_cast<double>(star.parallax), static_cast<double>(star.radial_velocity),
                                     place_frame(sky.stars));
-  const Vec3 direction = view_from_horizon(view) * glm::normalize(sky.stars.horizon_from_icrs * icrs);
+  const Vec3 seen = apparent_direction(glm::normalize(sky.stars.horizon_from_icrs * icrs), sky.refraction);
+  const Vec3 direction = view_from_horizon(view) * seen;
   Vec2 pixel;
   EXPECT_TRUE(f64::project(direction, 0, projection_frame(view), pixel));
   return pixel;
@@ -56,7 +58,15 @@ Vec2 centroid(const gpu::Frame& frame, const View& view, const Vec2& near) {
 
 SkyState real_sky() {
   const Observer observer{48.137 * deg, 11.575 * deg, 520.0 * metre};
-  return sky_state(parse_instant("2061-03-05T21:17:42Z"), observer);
+  SkyState sky = sky_state(parse_instant("2061-03-05T21:17:42Z"), observer);
+  sky.refraction = Refraction{};
+  return sky;
+}
+
+FrameOptions refracted_stars() {
+  FrameOptions options = bare_stars();
+  options.air.refraction = true;
+  return options;
 }
 
 using StarPlaceGpu = RenderTest;
@@ -114,6 +124,72 @@ TEST_F(StarPlaceGpu, HalfDegreePerspectiveAt1024) {
   }
   std::printf("perspective 0.5 deg, 1024 px: worst %.5f px over %d frames\n", worst, frames);
   EXPECT_LT(worst, tolerance_px);
+}
+
+TEST_F(StarPlaceGpu, RefractedTowardsTheHorizon) {
+  // Each star alone, in a view half a degree wide: a pixel is 1.8 arcsec. Its light is all there.
+  SkyState sky = still_sky();
+  sky.observer.height = 2400.0 * metre;
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> azimuth(0.0, 2.0 * std::numbers::pi);
+  for (const RefractionModel model : {RefractionModel::traced, RefractionModel::published}) {
+    sky.refraction = with_table({model, standard_conditions(sky.observer.height), nullptr});
+    double worst_px = 0.0;
+    double worst_light = 0.0;
+    double most_raised_px = 0.0;
+    for (const double altitude_deg : {-2.0, -1.0, -0.5, 0.0, 0.01, 0.5, 2.0, 10.0, 45.0, 89.99, 90.0}) {
+      const double altitude = (altitude_deg * deg).to(rad);
+      const double a = azimuth(random);
+      const Vec3 direction(std::cos(altitude) * std::sin(a), std::cos(altitude) * std::cos(a), std::sin(altitude));
+      const std::vector<StarRecord> stars{white_star(direction, 2.54e-8)};
+      const auto& stored = stars[0].position;
+      const Vec3 seen = apparent_direction(glm::normalize(Vec3(stored[0], stored[1], stored[2])), sky.refraction);
+      View view;
+      view.projection = Projection::perspective;
+      view.fov = 0.5 * deg;
+      view.width = view.height = 1000;
+      view.altitude = std::atan2(seen.z, std::hypot(seen.x, seen.y)) * rad;
+      view.azimuth = std::atan2(seen.x, seen.y) * rad;
+      const Vec2 pixel = expected_pixel(stars[0], sky, view);
+      renderer.load(catalogue_of(stars));
+      const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, stars, refracted_stars()));
+      worst_px = std::max(worst_px, glm::length(centroid(frame, view, pixel) - pixel));
+      const double light = illuminance_in(frame, view, 0, 0, view.width, view.height);
+      worst_light = std::max(worst_light, std::abs(light / static_cast<double>(stars[0].illuminance) - 1.0));
+      most_raised_px = std::max(most_raised_px, glm::length(seen - direction) * projection_frame(view).focal);
+    }
+    std::printf("%s refraction: worst %.5f px of up to %.0f px, light within %.1e\n",
+                model == RefractionModel::traced ? "traced" : "published", worst_px, most_raised_px, worst_light);
+    EXPECT_LT(worst_px, tolerance_px);
+    EXPECT_LT(worst_light, 1.0e-4);
+    EXPECT_GT(most_raised_px, 1000.0); // at least half a degree
+  }
+}
+
+TEST_F(StarPlaceGpu, StarsSetWhereTheHorizonIsDrawn) {
+  for (const double height_m : {0.0, 47.0, 9000.0}) {
+    SkyState sky = still_sky();
+    sky.observer.height = height_m * metre;
+    sky.refraction = with_table({RefractionModel::traced, standard_conditions(sky.observer.height), nullptr});
+    const Angle setting = true_altitude(sky.refraction.table->horizon, *sky.refraction.table);
+    View view;
+    view.projection = Projection::perspective;
+    view.fov = 2.0 * deg;
+    view.width = view.height = 1000;
+    view.azimuth = 0.0 * deg;
+    view.altitude = sky.refraction.table->horizon;
+    FrameOptions options = refracted_stars();
+    options.layers = all_layers();
+    // A star's spread is some 5 pixels of 7 arcsec; the sky is squeezed there.
+    for (const double above_arcmin : {-4.0, 4.0}) {
+      const double altitude = (setting + above_arcmin * arcmin).to(rad);
+      const std::vector<StarRecord> stars{white_star({0.0, std::cos(altitude), std::sin(altitude)}, 2.54e-8)};
+      renderer.load(catalogue_of(stars));
+      const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+      const double light = illuminance_in(frame, view, 0, 0, view.width, view.height);
+      EXPECT_NEAR(light / 2.54e-8, above_arcmin > 0.0 ? 1.0 : 0.0, 1.0e-3) << height_m << " m";
+    }
+  }
 }
 
 } // namespace

@@ -90,6 +90,7 @@ TEST_F(StarFrameStability, ExtremeAir) {
   for (const double height : {-400.0, 0.0, 9000.0, 100000.0}) {
     SkyState sky = still_sky();
     sky.observer.height = height * metre;
+    sky.refraction = {RefractionModel::traced, standard_conditions(sky.observer.height), nullptr};
     for (const double exposure : {0.0, 1.0e-6, 0.1, 1.0e6}) {
       FrameOptions options;
       options.air.exposure_s = exposure;

@@ -88,6 +88,9 @@ TEST_F(RenderCli, LayersAndAirCanBeLeftOut) {
   EXPECT_EQ(light("--layers ground"), 0.0);
   EXPECT_GT(light("--extinction off"), 1.2 * all);
   EXPECT_NE(light("--scintillation off"), all);
+  EXPECT_NE(light("--refraction off"), all);
+  EXPECT_NE(light("--pressure 500"), all);
+  EXPECT_NE(light("--temperature -40"), all);
   EXPECT_NE(light("--seed 2"), all);
   EXPECT_NE(light("--exposure-time 0"), all);
 }
@@ -115,6 +118,8 @@ TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   expect_failure("--time yesterday" + to, 2, {"--time", "yesterday"});
   expect_failure("--tier best" + to, 2, {"--tier", "best"});
   expect_failure("--scintillation maybe" + to, 2, {"--scintillation", "maybe"});
+  expect_failure("--refraction maybe" + to, 2, {"--refraction", "maybe"});
+  expect_failure("--pressure 2000" + to, 2, {"--pressure", "2000", "1100"});
   expect_failure("--exposure-time -1" + to, 2, {"--exposure-time", "-1"});
   expect_failure("--medium clear" + to, 2, {"--medium"}); // arrives with the atmosphere
   EXPECT_FALSE(std::filesystem::exists(path("sky.png")));

@@ -29,6 +29,30 @@ TEST(ReportText, SkyConditionsChangeAtTheTwilightBorders) {
   EXPECT_EQ(sky_condition(-18.1 * deg), "night");
 }
 
+TEST(ReportText, ALowSunHasAnApparentAltitude) {
+  // Sunset at Greenwich: airless 0.55 degrees below, seen on the horizon under ordinary air.
+  SkyState sky = sky_state(parse_instant("2026-03-20T18:14:00Z"), {51.4769 * deg, 0.0 * deg, 0.0 * metre});
+  const double altitude = sky.sun.altitude.to(deg);
+  ASSERT_GT(altitude, -2.0);
+  ASSERT_LT(altitude, 0.0);
+  const auto sun_line = [&] {
+    const std::string text = scene_text(sky, default_star_catalogue());
+    const std::size_t at = text.find("Sun ");
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  const std::string with_air = sun_line();
+  const std::size_t at = with_air.find("apparent altitude ");
+  ASSERT_NE(at, std::string::npos) << with_air;
+  // 0.5 to 0.7 degrees at and just below the horizon.
+  const double raised = std::stod(with_air.substr(at + 18)) - altitude;
+  EXPECT_GT(raised, 0.45);
+  EXPECT_LT(raised, 0.75);
+  sky.refraction = Refraction{};
+  EXPECT_EQ(sun_line().find("apparent"), std::string::npos);
+  sky = sky_state(parse_instant("2026-03-20T23:00:00Z"), sky.observer);
+  EXPECT_EQ(sun_line().find("apparent"), std::string::npos);
+}
+
 TEST(ReportText, MoonPhasesHaveTheirNames) {
   EXPECT_EQ(moon_phase_name(0.01, true), "new Moon");
   EXPECT_EQ(moon_phase_name(0.3, true), "waxing crescent");

@@ -105,6 +105,10 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
       {{"--latitude", ""}, "--latitude: ''"},
       {{"--longitude", "-181"}, "-180 to 360"},
       {{"--height", "1e6"}, "-500 to 100000"},
+      {{"--pressure", "1101"}, "0 to 1100 hPa"},
+      {{"--pressure", "-1"}, "0 to 1100 hPa"},
+      {{"--temperature", "60.5"}, "-90 to 60 degrees Celsius"},
+      {{"--temperature", "warm"}, "-90 to 60 degrees Celsius"},
       {{"--azimuth", "361"}, "-360 to 360"},
       {{"--altitude", "91"}, "-90 to 90"},
       {{"--projection", "mercator"}, "perspective, fisheye, stereographic, equirectangular, cubemap"},
@@ -128,6 +132,20 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
     EXPECT_NE(error_of(c.arguments).find(c.in_message), std::string::npos)
         << c.arguments[0] << " " << c.arguments[1] << ": " << error_of(c.arguments);
   }
+}
+
+TEST_F(SceneOptionsTest, TheAirIsTheStandardAtmospheresUnlessGiven) {
+  // US Standard Atmosphere 1976 at 2 km: 795.01 hPa, 275.154 K.
+  const std::vector<std::string> place{"--latitude", "28", "--longitude", "-17", "--height", "2000"};
+  const Refraction standard = refraction_of(resolve(place));
+  EXPECT_EQ(standard.model, RefractionModel::traced);
+  EXPECT_NEAR(standard.conditions.pressure_hpa, 795.01, 0.1);
+  EXPECT_NEAR(standard.conditions.temperature_c, 2.004, 0.01);
+  EXPECT_EQ(standard.conditions.height.to(metre), 2000.0);
+  const Refraction given = refraction_of(resolve({"--pressure", "780.5", "--temperature", "-7", "--tier", "cheap"}));
+  EXPECT_EQ(given.model, RefractionModel::published);
+  EXPECT_EQ(given.conditions.pressure_hpa, 780.5);
+  EXPECT_EQ(given.conditions.temperature_c, -7.0);
 }
 
 TEST_F(SceneOptionsTest, FaultsInFilesNameFileAndLine) {
