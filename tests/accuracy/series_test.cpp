@@ -281,6 +281,22 @@ TEST(CheapTier, HasTheVelocitiesOfItsPlaces) {
   }
 }
 
+TEST(CheapTier, KeepsSaneDistancesOverAllYears) {
+  for (double year = -4712.0; year < 10000.0; year += 3.7913) {
+    const JulianDate<TDB> tdb = in_year(year);
+    const SunEarthMoon bodies = sun_earth_moon_cheap(tdb);
+    const double sun = glm::length(bodies.earth.position_au);
+    ASSERT_TRUE(sun > 0.975 && sun < 1.025) << year << " " << sun;
+    const double moon_km = (glm::length(bodies.moon.position_au) * astronomical_unit).to(kilometre);
+    ASSERT_TRUE(moon_km > 355000.0 && moon_km < 408000.0) << year << " " << moon_km;
+    for (const auto& [name, planet] : planets_by_name) {
+      const double cheap = glm::length(planet_heliocentric_cheap(planet, tdb).position_au);
+      const double series = glm::length(planet_heliocentric_series(planet, tdb).position_au);
+      ASSERT_NEAR(cheap / series, 1.0, 0.1) << name << " " << year;
+    }
+  }
+}
+
 TEST(CheapTier, IsWhatTheInterfaceGives) {
   const JulianDate<TDB> tdb{2451545.0, 0.0};
   EXPECT_EQ(sun_earth_moon(tdb, Tier::cheap).moon.position_au, sun_earth_moon_cheap(tdb).moon.position_au);
