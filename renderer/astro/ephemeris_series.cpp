@@ -44,7 +44,7 @@ constexpr std::size_t theory_of(Planet planet) {
   return i < earth_theory ? i : i + 1;
 }
 
-/// From the ecliptic and equinox J2000 of VSOP87: its rotation to the FK5 (Bretagnon and Francou 1988, section 5), then
+/// From the ecliptic and equinox J2000 of VSOP87: its rotation to the FK5 (Bretagnon and Francou 1988), then
 /// 0.0123" about y and 0.0197" about z, which leave no mean rotation between the Earth's places of the whole theory and
 /// those of DE405 (ICRS) from 1960 to 2059.
 constexpr Mat3 icrs_from_vsop87(1.0, -0.000000384458, -0.000000059632,          //

@@ -17,12 +17,21 @@ struct Moving {
   double rate = 0.0;
 };
 
+/// c[0] + c[1] x + c[2] x^2 + ...
+template <std::size_t N> constexpr double polynomial(const double (&c)[N], double x) {
+  double sum = c[N - 1];
+  for (std::size_t i = N - 1; i-- > 0;) {
+    sum = c[i] + x * sum;
+  }
+  return sum;
+}
+
 struct CosSin {
   double cos = 1.0;
   double sin = 0.0;
 };
 
-/// Within 2e-13 for angles up to 1e6 rad, without a branch: a third of the time of the standard library's pair, which a
+/// Within 2e-13 for angles up to 1e6 rad, without a branch: in half the time of the standard library's pair, which a
 /// sum of a thousand terms feels.
 inline CosSin cos_sin(double angle_rad) {
   // Less whole turns; 2 pi in two parts, the first short enough that its multiples are exact.
@@ -32,16 +41,14 @@ inline CosSin cos_sin(double angle_rad) {
   constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
   const double turns = (angle_rad * turns_per_rad + to_integer) - to_integer;
   const double x = 0.25 * ((angle_rad - turns * turn_high) - turns * turn_low); // within pi/4
-  // Taylor series there, then the angle doubled twice. 1 - cos keeps the digits.
+  // Taylor series of sin x / x and (1 - cos x) / x^2 by x^2, then the angle doubled twice. 1 - cos keeps the digits.
+  constexpr double sine[] = {
+      1.0, -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0, 1.0 / 362880.0, -1.0 / 39916800.0, 1.0 / 6227020800.0};
+  constexpr double versine[] = {1.0 / 2.0,       -1.0 / 24.0,        1.0 / 720.0,        -1.0 / 40320.0,
+                                1.0 / 3628800.0, -1.0 / 479001600.0, 1.0 / 87178291200.0};
   const double y = x * x;
-  const double s =
-      x * (1.0 + y * (-1.0 / 6.0 +
-                      y * (1.0 / 120.0 + y * (-1.0 / 5040.0 + y * (1.0 / 362880.0 + y * (-1.0 / 39916800.0 +
-                                                                                         y * (1.0 / 6227020800.0)))))));
-  const double v =
-      y * (0.5 + y * (-1.0 / 24.0 + y * (1.0 / 720.0 + y * (-1.0 / 40320.0 +
-                                                            y * (1.0 / 3628800.0 + y * (-1.0 / 479001600.0 +
-                                                                                        y * (1.0 / 87178291200.0)))))));
+  const double s = x * polynomial(sine, y);
+  const double v = y * polynomial(versine, y);
   const double s2 = 2.0 * s * (1.0 - v); // sin and 1 - cos of 2 x
   const double v2 = 2.0 * s * s;
   return {1.0 - 2.0 * s2 * s2, 2.0 * s2 * (1.0 - v2)};
