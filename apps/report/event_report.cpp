@@ -3,7 +3,6 @@
 #include "report/star_report.hpp"
 
 #include "vesper/assets/default_stars.hpp"
-#include "vesper/astro/utc.hpp"
 #include "vesper/base/csv.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"

@@ -45,8 +45,9 @@ Orientation long_term_orientation(JulianDate<TT> tt, const Nutation& nutation) {
   const Precession mean = precession(tt);
   Rows nutated;
   eraNumat(mean.mean_obliquity_rad, nutation.longitude_rad, nutation.obliquity_rad, nutated);
-  return {matrix_of(nutated) * mean.mean_equator_from_icrs,
-          mean.mean_equation_of_origins_rad - nutation.longitude_rad * std::cos(mean.mean_obliquity_rad)};
+  const double equation_of_equinoxes =
+      nutation.longitude_rad * std::cos(mean.mean_obliquity_rad) + eraEect00(tt.day, tt.fraction);
+  return {matrix_of(nutated) * mean.mean_equator_from_icrs, mean.mean_equation_of_origins_rad - equation_of_equinoxes};
 }
 
 /// What eraPnm06a and eraGst06 compute, given the nutation (Wallace and Capitaine 2006, A&A 459, 981); in far years
@@ -76,6 +77,7 @@ double apparent_sidereal_time_rad(JulianDate<UT1> ut1, double equation_of_origin
 } // namespace
 
 EarthState earth_state(const Instant& instant, const Observer& observer, Tier tier) {
+  require_supported(instant.tt);
   EarthState state;
   state.instant = instant;
   state.observer = observer;

@@ -5,6 +5,7 @@
 #include "vesper/base/error.hpp"
 
 #include <erfa.h>
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -18,6 +19,14 @@ constexpr double utc_begin_jd = 2441317.5;
 constexpr double utc_end_jd = 2461406.5;
 
 } // namespace
+
+void require_supported(JulianDate<TT> tt) {
+  const double jd = tt.value();
+  if (!(jd >= first_supported_jd && jd <= last_supported_jd)) {
+    throw Error(ErrorKind::argument, fmt::format("Julian date {} lies outside the years -4712 to 9999", jd),
+                {"", "", "Choose a date between them"});
+  }
+}
 
 bool utc_is_defined(JulianDate<UTC> utc) {
   return utc.days_since({utc_begin_jd, 0.0}) >= 0.0 && utc.days_since({utc_end_jd, 0.0}) < 0.0;

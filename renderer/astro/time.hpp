@@ -54,6 +54,14 @@ enum class TimeScale { utc, ut1, tt };
 [[nodiscard]] Instant parse_instant(std::string_view text, TimeScale scale = TimeScale::utc,
                                     Calendar calendar = Calendar::gregorian);
 
+/// The span for which the sky is computed: the years -4712 to 9999. Towards its ends precession and the motions of Moon
+/// and planets are good to minutes of arc, of Jupiter and Saturn to a degree, and the Earth's rotation to an hour.
+inline constexpr double first_supported_jd = -50.5;    ///< TT; November of -4713, before all stamps and Delta-T
+inline constexpr double last_supported_jd = 5373494.5; ///< TT; January of 10000
+
+/// Throws Error(argument) naming the date for one outside the supported span, or one that is no number.
+void require_supported(JulianDate<TT> tt);
+
 /// UT1 by Delta-T.
 [[nodiscard]] Instant instant_from_tt(JulianDate<TT> tt);
 /// TT by Delta-T.

@@ -16,6 +16,8 @@ namespace vesper {
 namespace {
 
 constexpr double seconds_per_day = 86400.0;
+constexpr double year_minus_1000_jd = 1355807.5; // -1000-01-01, Gregorian
+constexpr double year_3000_jd = 2816787.5;       // 3000-01-01
 constexpr const char* allowed_form = "Write 2026-08-12T22:00:00Z, JD2461265.4 or now";
 
 [[noreturn]] void fail(std::string_view text, const std::string& what) {
@@ -207,9 +209,12 @@ std::vector<std::string> time_remarks(const Instant& instant) {
   }
   const double uncertainty_s = delta_t_uncertainty_s(instant.tt);
   if (uncertainty_s >= 1.0) {
-    // The sky turns by 15 arcsec a second of UT1; in a day's name of UT1 the Moon moves by 0.5 arcsec a second of TT.
     remarks.push_back(fmt::format("The Earth's rotation is known to about {:.2g} s at this date (Delta-T = {:.0f} s)",
                                   uncertainty_s, instant.delta_t_s));
+  }
+  if (instant.tt.days_since({year_minus_1000_jd, 0.0}) < 0.0 || instant.tt.days_since({year_3000_jd, 0.0}) > 0.0) {
+    remarks.emplace_back("The theories of Moon, planets and precession are stretched this far from the present: expect "
+                         "errors of arcminutes, more towards -4712 and 9999");
   }
   if (instant.ut1.days_since({gregorian_reform_jd, 0.0}) < 0.0) {
     remarks.push_back("The date is of the proleptic Gregorian calendar; in the Julian calendar " +

@@ -52,7 +52,7 @@ MoonState moon_state(const Vec3& moon_au, const Vec3& sun_au, const BodyPlace& s
 } // namespace
 
 SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier) {
-  const EarthState earth = earth_state(instant, observer);
+  const EarthState earth = earth_state(instant, observer, tier);
   const StarFrame frame = star_frame(earth);
   const Vec3 sun_au = sun_from_observer_au(earth);
   const Vec3 moon_au = moon_from_observer_au(earth);

@@ -1,6 +1,5 @@
 // How long it takes to find the rises, sets, transits and twilights of the Sun and the Moon.
 #include "vesper/astro/sky_events.hpp"
-#include "vesper/astro/utc.hpp"
 
 #include <array>
 #include <benchmark/benchmark.h>

@@ -48,6 +48,28 @@ TEST(AstroStability, HoldsAtPolesAndFarDates) {
   }
 }
 
+TEST(AstroStability, OrientationIsContinuousWhereTheLongTermPrecessionBegins) {
+  ErrorSum step;
+  for (const double edge : {-400.0, 400.0}) {
+    const JulianDate<TT> tt{2451545.0, edge * 365.25};
+    const auto state = [&tt](double days) {
+      return earth_state(instant_from(tt.plus_days(days), {tt.day, tt.fraction + days}),
+                         {50.0 * deg, 10.0 * deg, 0.0 * metre});
+    };
+    // 0.17 ms apart: the Earth turns by 0.003 arcsec.
+    constexpr double days = 1e-9;
+    const EarthState before = state(-days);
+    const EarthState after = state(days);
+    for (int i = 0; i < 3; ++i) {
+      step.add(test::separation(before.equator_of_date_from_icrs[i], after.equator_of_date_from_icrs[i]).to(arcsec));
+    }
+    step.add(
+        test::angle_difference(after.local_sidereal_time_rad * rad, before.local_sidereal_time_rad * rad).to(arcsec));
+  }
+  step.print("step of the Earth's orientation at 1600 and 2400", "arcsec");
+  EXPECT_LT(step.worst(), 0.03);
+}
+
 TEST(AstroStability, AltitudeOfTheCelestialPoleIsTheLatitude) {
   for (const double latitude : {-90.0, -51.0, 0.0, 66.5, 90.0}) {
     const StarFrame frame = star_frame(parse_instant("2026-08-12"), {latitude * deg, 33.0 * deg, 0.0 * metre});

@@ -163,6 +163,19 @@ TEST(Time, RemarksSayWhatIsUncertain) {
   EXPECT_NE(time_remarks(parse_instant("1500-03-11", TimeScale::ut1)).back().find("1500-03-01"), std::string::npos);
 }
 
+TEST(Time, IsRefusedOutsideTheSupportedSpan) {
+  for (const char* edge : {"-4712-01-01", "9999-12-31T23:59:59"}) {
+    for (const TimeScale scale : {TimeScale::utc, TimeScale::ut1, TimeScale::tt}) {
+      EXPECT_NO_THROW(require_supported(parse_instant(edge, scale).tt)) << edge;
+    }
+  }
+  for (const double jd : {-100.0, 5.4e6, 1e300, std::nan(""), HUGE_VAL}) {
+    EXPECT_THROW(require_supported({jd, 0.0}), Error) << jd;
+  }
+  EXPECT_EQ(time_remarks(parse_instant("-3000-01-01")).size(), 4U);
+  EXPECT_EQ(time_remarks(parse_instant("9999-01-01")).size(), 3U);
+}
+
 TEST(Time, LaterKeepsAnOwnEarthRotation) {
   const Instant own = instant_from({2451545.0, 0.0}, {2451544.0, 0.5});
   EXPECT_DOUBLE_EQ(own.delta_t_s, 43200.0);
