@@ -1,0 +1,77 @@
+#include "vesper/astro/lunar_orientation.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace vesper {
+namespace {
+
+// Rotations of the axes, as the literature on lunar rotation writes them.
+Mat3 axes_x(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c};
+}
+Mat3 axes_y(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c};
+}
+Mat3 axes_z(double angle) {
+  const double c = std::cos(angle);
+  const double s = std::sin(angle);
+  return {c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0};
+}
+
+/// An argument of the series and what it adds, degrees: E = start + rate * days since J2000.0.
+struct Term {
+  double start, rate_day;
+  double pole_ra_sin, pole_dec_cos, meridian_sin;
+};
+constexpr std::array<Term, 13> terms{{
+    {125.045, -0.0529921, -3.8787, 1.5419, 3.5610},
+    {250.089, -0.1059842, -0.1204, 0.0239, 0.1208},
+    {260.008, 13.0120009, 0.0700, -0.0278, -0.0642},
+    {176.625, 13.3407154, -0.0172, 0.0068, 0.0158},
+    {357.529, 0.9856003, 0.0, 0.0, 0.0252},
+    {311.589, 26.4057084, 0.0072, -0.0029, -0.0066},
+    {134.963, 13.0649930, 0.0, 0.0009, -0.0047},
+    {276.617, 0.3287146, 0.0, 0.0, -0.0046},
+    {34.226, 1.7484877, 0.0, 0.0, 0.0028},
+    {15.134, -0.1589763, -0.0052, 0.0008, 0.0052},
+    {119.743, 0.0036096, 0.0, 0.0, 0.0040},
+    {239.961, 0.1643573, 0.0, 0.0, 0.0019},
+    {25.053, 12.9590088, 0.0043, -0.0009, -0.0044},
+}};
+
+} // namespace
+
+Mat3 mean_earth_from_icrs(const LunarAngles& angles) {
+  static const Mat3 mean_earth_from_principal = axes_x((-0.1462 * arcsec).to(rad)) *
+                                                axes_y((-79.0768 * arcsec).to(rad)) *
+                                                axes_z((-63.8986 * arcsec).to(rad));
+  return mean_earth_from_principal * axes_z(angles.psi_rad) * axes_x(angles.theta_rad) * axes_z(angles.phi_rad);
+}
+
+Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb) {
+  const double days = tdb.days_since({2451545.0, 0.0});
+  const double centuries = days / 36525.0;
+  double pole_ra = 269.9949 + 0.0031 * centuries;
+  double pole_dec = 66.5392 + 0.0130 * centuries;
+  double meridian = 38.3213 + 13.17635815 * days - 1.4e-12 * days * days;
+  for (const Term& term : terms) {
+    const double argument = ((term.start + term.rate_day * days) * deg).to(rad);
+    const double sine = std::sin(argument);
+    pole_ra += term.pole_ra_sin * sine;
+    pole_dec += term.pole_dec_cos * std::cos(argument);
+    meridian += term.meridian_sin * sine;
+  }
+  return axes_z((meridian * deg).to(rad)) * axes_x(((90.0 - pole_dec) * deg).to(rad)) *
+         axes_z(((90.0 + pole_ra) * deg).to(rad));
+}
+
+Selenographic selenographic_of(const Vec3& v) {
+  return {std::atan2(v.y, v.x) * rad, std::atan2(v.z, std::hypot(v.x, v.y)) * rad};
+}
+
+} // namespace vesper
