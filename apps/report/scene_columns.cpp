@@ -24,6 +24,9 @@ constexpr std::array columns{
     SceneColumn{"moon_illuminated_fraction", [](const SkyState& s) { return s.moon.illuminated_fraction; }},
     SceneColumn{"moon_phase_angle_deg", [](const SkyState& s) { return s.moon.phase_angle.to(deg); }},
     SceneColumn{"moon_bright_limb_deg", [](const SkyState& s) { return s.moon.bright_limb.to(deg); }},
+    SceneColumn{"moon_axis_deg", [](const SkyState& s) { return s.moon.axis.to(deg); }},
+    SceneColumn{"moon_libration_longitude_deg", [](const SkyState& s) { return s.moon.libration.longitude.to(deg); }},
+    SceneColumn{"moon_libration_latitude_deg", [](const SkyState& s) { return s.moon.libration.latitude.to(deg); }},
 };
 
 std::string all_names() {
