@@ -5,6 +5,8 @@
 #include "vesper/base/units.hpp"
 #include "vesper/base/vector.hpp"
 
+#include <limits>
+
 namespace vesper {
 
 struct PlanetAppearance {
@@ -12,7 +14,7 @@ struct PlanetAppearance {
   double illuminated_fraction = 0.0; ///< of the disc, 0 to 1
   Angle diameter;                    ///< of a sphere with the globe's volume
   Angle equatorial_diameter;
-  double magnitude = 0.0;            ///< V above the atmosphere, Saturn with its rings
+  double magnitude = std::numeric_limits<double>::infinity(); ///< V above the atmosphere, Saturn with its rings
 };
 
 /// \param from_observer_au, from_sun_au vectors to the planet when its light left it, along ICRS axes

@@ -34,7 +34,7 @@ Points points_of(const SkyState& sky, double faintest_lux) {
     const auto planet = static_cast<Planet>(i);
     const PlanetState& state = sky.planets.at(i);
     const double lux_above = planet_illuminance(planet, state.appearance.magnitude).to(lux);
-    if (lux_above < faintest_lux) {
+    if (!(lux_above > 0.0) || lux_above < faintest_lux) {
       continue;
     }
     StarRecord record = resting_star(state.place.direction_horizon);
