@@ -66,8 +66,9 @@ std::string planets_text(const SkyState& sky) {
     const PlanetState& planet = sky.planets.at(i);
     if (planet.place.altitude > 0.0 * deg) {
       fmt::format_to(std::back_inserter(text), "  {:<16} {:5.2f} mag  {}; {:4.1f}\" across, {:.0f} % lit\n",
-                     planet_names.at(i), planet.appearance.magnitude, where(planet.place.azimuth, planet.place.altitude),
-                     planet.appearance.diameter.to(arcsec), 100.0 * planet.appearance.illuminated_fraction);
+                     planet_names.at(i), planet.appearance.magnitude,
+                     where(planet.place.azimuth, planet.place.altitude), planet.appearance.diameter.to(arcsec),
+                     100.0 * planet.appearance.illuminated_fraction);
     }
   }
   return text;

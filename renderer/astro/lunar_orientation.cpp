@@ -47,9 +47,8 @@ constexpr std::array<Term, 13> terms{{
 } // namespace
 
 Mat3 mean_earth_from_icrs(const LunarAngles& angles) {
-  static const Mat3 mean_earth_from_principal = axes_x((-0.1462 * arcsec).to(rad)) *
-                                                axes_y((-79.0768 * arcsec).to(rad)) *
-                                                axes_z((-63.8986 * arcsec).to(rad));
+  static const Mat3 mean_earth_from_principal =
+      axes_x((-0.1462 * arcsec).to(rad)) * axes_y((-79.0768 * arcsec).to(rad)) * axes_z((-63.8986 * arcsec).to(rad));
   return mean_earth_from_principal * axes_z(angles.psi_rad) * axes_x(angles.theta_rad) * axes_z(angles.phi_rad);
 }
 
@@ -69,6 +68,8 @@ Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb) {
   return axes_z((meridian * deg).to(rad)) * axes_x(((90.0 - pole_dec) * deg).to(rad)) *
          axes_z(((90.0 + pole_ra) * deg).to(rad));
 }
+
+Mat3 moon_fixed_from_icrs(JulianDate<TDB> tdb) { return mean_earth_from_icrs(tdb); }
 
 Selenographic selenographic_of(const Vec3& v) {
   return {std::atan2(v.y, v.x) * rad, std::atan2(v.z, std::hypot(v.x, v.y)) * rad};

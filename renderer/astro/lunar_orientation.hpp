@@ -29,6 +29,9 @@ struct LunarAngles {
 /// J2000.
 [[nodiscard]] Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb);
 
+/// ME axes from ICRS from the best source at hand.
+[[nodiscard]] Mat3 moon_fixed_from_icrs(JulianDate<TDB> tdb);
+
 struct Selenographic {
   Angle longitude; ///< -180 to 180 degrees, east (Crisium) positive
   Angle latitude;

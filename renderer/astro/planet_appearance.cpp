@@ -69,8 +69,7 @@ double jupiter_magnitude(double phase) { // eq. 8
 /// see different sides.
 double saturn_magnitude(double phase, const Vec3& from_observer, const Vec3& from_sun, double centuries) {
   const Vec3 pole = unit_vector(40.589 - 0.036 * centuries, 83.537 - 0.004 * centuries);
-  const double product =
-      std::asin(sin_of_latitude(pole, from_observer)) * std::asin(sin_of_latitude(pole, from_sun));
+  const double product = std::asin(sin_of_latitude(pole, from_observer)) * std::asin(sin_of_latitude(pole, from_sun));
   const double opening = std::sin(std::sqrt(std::max(product, 0.0)));
   const double p = std::min(phase, 6.5);
   return -8.914 - 1.825 * opening + 0.026 * p - 0.378 * opening * std::exp(-2.25 * p);
@@ -102,9 +101,8 @@ PlanetAppearance planet_appearance(Planet planet, const Vec3& from_observer_au, 
   const double sun_au = glm::length(from_sun_au);
   PlanetAppearance appearance;
   // The arc cosine would lose digits near opposition and conjunction.
-  appearance.phase_angle = std::atan2(glm::length(glm::cross(from_observer_au, from_sun_au)),
-                                      glm::dot(from_observer_au, from_sun_au)) *
-                           rad;
+  appearance.phase_angle =
+      std::atan2(glm::length(glm::cross(from_observer_au, from_sun_au)), glm::dot(from_observer_au, from_sun_au)) * rad;
   const double half = std::cos(0.5 * appearance.phase_angle.to(rad));
   appearance.illuminated_fraction = half * half;
   const Radius& radius = radii.at(static_cast<std::size_t>(planet));

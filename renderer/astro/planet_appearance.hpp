@@ -21,10 +21,10 @@ struct PlanetAppearance {
 /// \param tdb for the planets' poles and the slow brightening of Neptune
 ///
 /// Radii and poles after Archinal et al. 2018 (Celest. Mech. 130, 22). Magnitudes after Mallama and Hilton 2018
-/// (Astronomy and Computing 25, 10), eq. 2 to 17, with the planets' mean faces: the terms for the face that Mars turns to
-/// us and for its seasons, which add up to 0.1 magnitudes either way, are left out. Observed up to phase angles of 170
-/// degrees for Mercury and 179 for Venus; the outer planets' formulas are held at their last value beyond the angles at
-/// which the Earth sees them (Mars 50, Jupiter 12, Saturn 6.5, Uranus 3.1 degrees).
+/// (Astronomy and Computing 25, 10), eq. 2 to 17, with the planets' mean faces: the terms for the face that Mars turns
+/// to us and for its seasons, which add up to 0.1 magnitudes either way, are left out. Observed up to phase angles of
+/// 170 degrees for Mercury and 179 for Venus; the outer planets' formulas are held at their last value beyond the
+/// angles at which the Earth sees them (Mars 50, Jupiter 12, Saturn 6.5, Uranus 3.1 degrees).
 [[nodiscard]] PlanetAppearance planet_appearance(Planet planet, const Vec3& from_observer_au, const Vec3& from_sun_au,
                                                  JulianDate<TDB> tdb);
 

@@ -115,8 +115,9 @@ std::vector<std::uint32_t> scintillation_numbers(const StarCatalogue& catalogue)
 } // namespace
 
 StarPass::StarPass(const ShaderLibrary& library, std::vector<std::string> defines)
-    : defines_(std::move(defines)), place_programs_(library, {"star.comp"}), draw_programs_(library, {"star.vert", "star.frag"}),
-      uniforms_(make_dynamic_buffer(sizeof(StarBlock))), vertices_(make_vertex_array()) {
+    : defines_(std::move(defines)), place_programs_(library, {"star.comp"}),
+      draw_programs_(library, {"star.vert", "star.frag"}), uniforms_(make_dynamic_buffer(sizeof(StarBlock))),
+      vertices_(make_vertex_array()) {
   for (GLuint location = 0; location < billboard_attributes; ++location) {
     glEnableVertexArrayAttrib(vertices_.name(), location);
     glVertexArrayAttribFormat(vertices_.name(), location, 4, GL_FLOAT, GL_FALSE,

@@ -43,7 +43,7 @@ MoonState moon_state(const EarthState& earth, const StarFrame& frame, const Vec3
   moon.bright_limb = position_angle(moon.place.direction_equatorial, apparent_direction(sun_au, frame));
 
   const double light_days = glm::length(moon_au) * light_days_per_au;
-  moon.moon_fixed_from_icrs = mean_earth_from_icrs(earth.tdb.plus_days(-light_days));
+  moon.moon_fixed_from_icrs = moon_fixed_from_icrs(earth.tdb.plus_days(-light_days));
   const Vec3 velocity_c = light_days_per_au * (earth.bodies.earth.velocity_au_d + earth.bodies.moon.velocity_au_d);
   moon.libration = selenographic_of(moon.moon_fixed_from_icrs * departing(to_observer, velocity_c));
   moon.geocentric_libration =

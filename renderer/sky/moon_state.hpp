@@ -15,13 +15,13 @@ struct MoonState {
 
   // The globe when the light left it, in mean-Earth axes. Librations are optical and physical together: they are the
   // selenographic longitude and latitude of the point whose zenith the observer stands in.
-  Mat3 moon_fixed_from_icrs{1.0};      ///< mean-Earth axes
-  Selenographic libration;             ///< topocentric
-  Selenographic geocentric_libration;  ///< the same for the centre of the Earth
-  Selenographic subsolar;              ///< where the Sun stands in the zenith
-  Angle colongitude;                   ///< selenographic longitude of the morning terminator, west positive, 0 to 360
-  Angle axis;                          ///< position angle of the north pole, north through east, 0 to 360
-  Angle parallactic;                   ///< position angle of the zenith at the Moon, -180 to 180, positive in the west
+  Mat3 moon_fixed_from_icrs{1.0};     ///< mean-Earth axes
+  Selenographic libration;            ///< topocentric
+  Selenographic geocentric_libration; ///< the same for the centre of the Earth
+  Selenographic subsolar;             ///< where the Sun stands in the zenith
+  Angle colongitude;                  ///< selenographic longitude of the morning terminator, west positive, 0 to 360
+  Angle axis;                         ///< position angle of the north pole, north through east, 0 to 360
+  Angle parallactic;                  ///< position angle of the zenith at the Moon, -180 to 180, positive in the west
 };
 
 /// \param moon_au, sun_au from the observer to where the body was when the light left it, along ICRS axes

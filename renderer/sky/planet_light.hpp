@@ -8,8 +8,8 @@
 namespace vesper {
 
 /// Sunlight reflected with the planet's geometric albedo in the bands of Johnson and Cousins (Mallama, Krobusek
-/// and Pavlov 2017, Icarus 282, 19), linear between the bands' wavelengths. Methane bands of the outer planets are in it only
-/// as far as broad bands see them. From a table made at the first call.
+/// and Pavlov 2017, Icarus 282, 19), linear between the bands' wavelengths. Methane bands of the outer planets are in
+/// it only as far as broad bands see them. From a table made at the first call.
 [[nodiscard]] const ReflectedLight& planet_light(Planet planet);
 
 /// Above the atmosphere, from a V magnitude.

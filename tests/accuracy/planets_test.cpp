@@ -75,8 +75,7 @@ TEST_P(Planets, PlacesMatchTheReference) {
   for_rows_of(planet, [&](const TruthRow& row) {
     const SkyState sky = sky_state(instant_of(row), row.observer());
     const BodyPlace& place = sky.planets.at(static_cast<std::size_t>(planet)).place;
-    equatorial.add(test::separation(place.direction_equatorial,
-                                    test::direction(row.degrees("ra"), row.degrees("dec")))
+    equatorial.add(test::separation(place.direction_equatorial, test::direction(row.degrees("ra"), row.degrees("dec")))
                        .to(arcsec));
     horizontal.add(test::separation(test::direction(place.azimuth, place.altitude),
                                     test::direction(row.degrees("az"), row.degrees("alt")))

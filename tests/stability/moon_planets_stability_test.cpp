@@ -42,13 +42,13 @@ void expect_sound(const PlanetState& planet) {
 }
 
 TEST(MoonPlanetsStability, SoundAtPolesAndFarDates) {
-  for (const char* time : {"1000-01-01", "1582-10-15", "1960-01-01", "2026-12-31T23:59:59Z", "2060-01-01", "3000-01-01"}) {
+  for (const char* time :
+       {"1000-01-01", "1582-10-15", "1960-01-01", "2026-12-31T23:59:59Z", "2060-01-01", "3000-01-01"}) {
     for (const double latitude : {-90.0, -89.999999999, 0.0, 90.0}) {
       for (const double longitude : {-180.0, 180.0, 360.0}) {
         for (const double height : {-400.0, 9000.0}) {
           SCOPED_TRACE(std::string(time) + " " + std::to_string(latitude) + " " + std::to_string(longitude));
-          const SkyState sky =
-              sky_state(parse_instant(time), {latitude * deg, longitude * deg, height * metre});
+          const SkyState sky = sky_state(parse_instant(time), {latitude * deg, longitude * deg, height * metre});
           expect_sound(sky.moon);
           for (const PlanetState& planet : sky.planets) {
             expect_sound(planet);
@@ -63,7 +63,8 @@ TEST(MoonPlanetsStability, AtThePolesTheParallacticAngleIsThatOfThePole) {
   const Instant instant = parse_instant("2026-08-12T22:00:00Z");
   // The zenith is the celestial pole there: north of everything, or south.
   EXPECT_NEAR(sky_state(instant, {90.0 * deg, 0.0 * deg, 0.0 * metre}).moon.parallactic.to(deg), 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(sky_state(instant, {-90.0 * deg, 0.0 * deg, 0.0 * metre}).moon.parallactic.to(deg)), 180.0, 1e-9);
+  EXPECT_NEAR(std::abs(sky_state(instant, {-90.0 * deg, 0.0 * deg, 0.0 * metre}).moon.parallactic.to(deg)), 180.0,
+              1e-9);
 }
 
 class Alignment : public testing::Test {

@@ -53,8 +53,8 @@ TEST(DiscScintillation, APointKeepsItsPupilAndAWideDiscIsCalm) {
   EXPECT_EQ(f64::disc_pupil(0.007, 0.0, 0.5), 0.007);
   const auto sigma = [](double diameter_rad, double sin_altitude) {
     const double pupil = f64::disc_pupil(0.007, diameter_rad, sin_altitude);
-    return std::sqrt(f64::scintillation_index(
-        f64::rytov_variance(555.0e-9, f64::scintillation_secant(sin_altitude), pupil)));
+    return std::sqrt(
+        f64::scintillation_index(f64::rytov_variance(555.0e-9, f64::scintillation_secant(sin_altitude), pupil)));
   };
   const double star = sigma(0.0, 1.0);
   EXPECT_LT(sigma((10.0 * arcsec).to(rad), 1.0), 0.15 * star);
