@@ -111,9 +111,11 @@ TEST(LunarOrientation, PrincipalAxesTurnIntoMeanEarthAxes) {
   for (std::size_t i = 0; i < angles.row_count(); ++i) {
     const TruthRow angle(angles, i);
     const TruthRow row(table, static_cast<std::size_t>(angle.number("row")));
-    // Earth and Moon move together: in their own frame light runs along the line that joins them at one moment.
+    // Earth and Moon move together: in their own frame light leaves the Moon where it then stood from the Earth.
     const EarthState earth = earth_state(row.instant(), row.observer());
-    const Vec3 to_observer = earth.earth_to_observer_au - earth.bodies.moon.position_au;
+    const StateVector& moon = earth.bodies.moon;
+    const double since_days = angle.number("jd_tdb") - earth.tdb.value();
+    const Vec3 to_observer = earth.earth_to_observer_au - (moon.position_au + since_days * moon.velocity_au_d);
     errors.add(selenographic_of(mean_earth_from_icrs(angles_of(angle)) * to_observer), row.degrees("lib_lon_topo"),
                row.degrees("lib_lat_topo"));
   }
