@@ -44,6 +44,47 @@ constexpr std::array<Term, 13> terms{{
     {25.053, 12.9590088, 0.0043, -0.0009, -0.0044},
 }};
 
+/// A small turn of the ME axes that the series leaves out: arcsec about x with the cosine, about y and z with the sine
+/// of start + rate * days since J2000.0.
+struct Turn {
+  double start, rate_day;
+  double x_cos, y_sin, z_sin;
+};
+/// Those above 0.4 arcsec in DE405, 1960 to 2060, by least squares (data/fit_lunar_turns.py). Arguments are sums of
+/// Delaunay's, but for the free wobble (74.6 years) and the free libration in longitude (2.89 years), whose periods are
+/// those of Rambaux and Williams 2011 (Celest. Mech. 109, 85).
+constexpr std::array<Turn, 15> turns{{
+    {-19.1, 0.0132073, 8.17, 3.29, 0.0},      // wobble
+    {53.9, 0.3408672, 0.0, 0.0, 2.55},        // free libration
+    {142.4283, 11.1521480, 3.18, -2.88, 0.0}, // 2D - F
+    {352.5352, 1.9128449, 1.66, -2.73, 0.0},  // l + F - 2D
+    {228.2355, 26.2943432, -0.53, 1.81, 0.0}, // l + F
+    {93.2721, 13.2293502, 1.25, 0.0, 0.0},    // F
+    {180.4, 13.0649930, 1.02, -1.02, 0.0},    // l
+    {250.0891, -0.1059075, -0.60, 0.67, 0.0}, // 2 node
+    {340.0891, -0.1059075, 0.0, 0.0, -0.64},  // 2 node + 90
+    {189.6, -0.0529538, 0.0, 0.0, 0.84},      // node
+    {100.7370, 11.3165053, 0.0, 0.0, 4.10},   // 2D - l
+    {197.1132, 0.8742438, 0.0, 0.0, 3.45},    // l - D
+    {310.8438, 2.0772022, 0.0, 0.0, -1.69},   // 2F - 2D
+    {235.7004, 24.3814982, 0.0, 0.0, 0.48},   // 2D
+    {269.9268, 26.1299859, 0.0, 0.0, 0.45},   // 2l
+}};
+
+Mat3 small_turns(double days) {
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+  for (const Turn& turn : turns) {
+    const double argument = ((turn.start + turn.rate_day * days) * deg).to(rad);
+    const double sine = std::sin(argument);
+    x += turn.x_cos * std::cos(argument);
+    y += turn.y_sin * sine;
+    z += turn.z_sin * sine;
+  }
+  return axes_x((-x * arcsec).to(rad)) * axes_y((-y * arcsec).to(rad)) * axes_z((-z * arcsec).to(rad));
+}
+
 } // namespace
 
 Mat3 mean_earth_from_icrs(const LunarAngles& angles) {
@@ -65,7 +106,7 @@ Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb) {
     pole_dec += term.pole_dec_cos * std::cos(argument);
     meridian += term.meridian_sin * sine;
   }
-  return axes_z((meridian * deg).to(rad)) * axes_x(((90.0 - pole_dec) * deg).to(rad)) *
+  return small_turns(days) * axes_z((meridian * deg).to(rad)) * axes_x(((90.0 - pole_dec) * deg).to(rad)) *
          axes_z(((90.0 + pole_ra) * deg).to(rad));
 }
 

@@ -24,9 +24,9 @@ struct LunarAngles {
 [[nodiscard]] Mat3 mean_earth_from_icrs(const LunarAngles& angles);
 
 /// ME axes from ICRS by the series of the IAU working group on cartographic coordinates (Archinal et al. 2011, Celest.
-/// Mech. 109, 101, table 2): pole and prime meridian with 13 periodic terms. Within 0.006 degrees of DE405 from 1960 to
-/// 2060 (0.1 arcsec as seen from the Earth); the pole's neglected quadratic motion grows to 0.1 degrees 5000 years from
-/// J2000.
+/// Mech. 109, 101, table 2), pole and prime meridian with 13 periodic terms, which is within 0.005 degrees of DE405.
+/// The next terms, free librations among them, bring it within 0.002 degrees from 1960 to 2060 (0.03 arcsec as seen
+/// from the Earth). The neglected quadratic motion of the pole grows to 0.1 degrees 5000 years from J2000.
 [[nodiscard]] Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb);
 
 /// ME axes from ICRS from the best source at hand.

@@ -139,7 +139,7 @@ TEST(LunarOrientation, SeriesMatchesTheIntegratedAngles) {
   }
   errors.print("series against the angles of DE405", "deg");
   ASSERT_GT(errors.count(), 80U);
-  EXPECT_LT(errors.worst(), 0.006);
+  EXPECT_LT(errors.worst(), 0.002);
 }
 
 } // namespace
