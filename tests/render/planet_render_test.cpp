@@ -23,8 +23,6 @@ protected:
     view.width = view.height = 400;
     options.layers.reset();
     options.layers.set(static_cast<std::size_t>(Layer::planets));
-    options.air.extinction = false;
-    options.air.scintillation = false;
   }
   gpu::Frame render() { return renderer.render(sky, view, plan_frame(sky, view, {}, options)); }
 
@@ -56,7 +54,7 @@ protected:
 
   SkyState sky;
   View view;
-  FrameOptions options;
+  FrameOptions options = bare_stars();
 };
 
 TEST_F(PlanetRender, JupiterStandsAtItsPlaceWithItsLight) {
