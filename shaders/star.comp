@@ -2,6 +2,7 @@
 // of a billboard share the work.
 //
 // PROJECTION is a number of projection.glsl. CHEAP selects Mueller's point-spread function, fades and scintillation.
+// DISCS gives every star an angular diameter, which calms its scintillation.
 #include "prelude.glsl"
 #include "lib/hash.glsl"
 #include "lib/star_place.glsl"
@@ -20,6 +21,9 @@ layout(std430, binding = 0) readonly buffer Records { float records[]; };
 layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
 
 layout(binding = 0) uniform sampler1D refraction_table;
+#ifdef DISCS
+layout(std430, binding = 3) readonly buffer Discs { float disc_rad[]; };
+#endif
 
 // What star.vert reads; the C++ twin is StarBillboard in renderer/gpu/star_pass.cpp.
 struct StarBillboard {
@@ -67,6 +71,7 @@ struct PlacedStar {
   float radius; // of the billboard, pixels
   float sigma;  // of the default spread, pixels
   float glare;  // cheap tier: intensity of the glare
+  float pupil;  // that averages its scintillation, metres
 };
 
 PlacedStar place(uint star) {
@@ -85,7 +90,10 @@ PlacedStar place(uint star) {
   vec4 color = vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);
   vec4 light = records[at + 8u] * modulate_xyzs(color, extinction(block.optical_depth, path));
   PlacedStar placed = PlacedStar(block.view_from_horizon * horizon, sin_altitude, hash_pair(numbers[star], block.seed),
-                                 light, 0.0, 0.0, 0.0);
+                                 light, 0.0, 0.0, 0.0, block.pupil_m);
+#ifdef DISCS
+  placed.pupil = disc_pupil(block.pupil_m, disc_rad[star], sin_altitude);
+#endif
 #ifdef CHEAP
   if (block.pupil_m > 0.0) {
     placed.light = modulate_xyzs(light, mueller_scintillation(placed.key, block.frame_number, path));
@@ -107,7 +115,7 @@ vec4 received_light(PlacedStar star) {
 #ifndef CHEAP
   if (block.pupil_m > 0.0) {
     return modulate_xyzs(
-        star.light, scintillation(star.key, block.seconds, star.sin_altitude, block.exposure_s, block.pupil_m));
+        star.light, scintillation(star.key, block.seconds, star.sin_altitude, block.exposure_s, star.pupil));
   }
 #endif
   return star.light;

@@ -273,7 +273,7 @@ constexpr std::array table{
     SceneOptionDescription{"tier", Kind::text, "NAME", model, "cheap, default or reference; default default",
                            apply_tier},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
-                           "What to draw, comma-separated: stars, ground; default all", apply_layers},
+                           "What to draw, comma-separated: stars, planets, ground; default all", apply_layers},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

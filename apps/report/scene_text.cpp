@@ -60,6 +60,33 @@ std::vector<Up> stars_up(const SkyState& sky, const StarCatalogue& catalogue) {
   return up;
 }
 
+/// How the Moon's globe is turned: what part beyond the mean limb libration shows, and where its north lies.
+std::string face_text(const MoonState& moon) {
+  const double longitude = moon.libration.longitude.to(deg);
+  const double latitude = moon.libration.latitude.to(deg);
+  return fmt::format("shows {:.1f}° more of its {} and {:.1f}° more of its {} limb; axis at {:.1f}°, bright limb at "
+                     "{:.1f}° (north through east)",
+                     std::abs(longitude), longitude < 0.0 ? "western" : "eastern", std::abs(latitude),
+                     latitude < 0.0 ? "southern" : "northern", moon.axis.to(deg), moon.bright_limb.to(deg));
+}
+
+constexpr std::array<std::string_view, planet_count> planet_names{"Mercury", "Venus",  "Mars",   "Jupiter",
+                                                                  "Saturn",  "Uranus", "Neptune"};
+
+std::string planets_text(const SkyState& sky) {
+  std::string text;
+  for (std::size_t i = 0; i < planet_names.size(); ++i) {
+    const PlanetState& planet = sky.planets.at(i);
+    if (planet.place.altitude > 0.0 * deg) {
+      fmt::format_to(std::back_inserter(text), "  {:<16} {:5.2f} mag  {}; {:4.1f}\" across, {:.0f} % lit\n",
+                     planet_names.at(i), planet.appearance.magnitude,
+                     where(planet.place.azimuth, planet.place.altitude), planet.appearance.diameter.to(arcsec),
+                     100.0 * planet.appearance.illuminated_fraction);
+    }
+  }
+  return text;
+}
+
 /// Figures all of whose stars stand clear of the horizon, with the middle of each, highest first.
 std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& sky, const StarCatalogue& catalogue) {
   std::unordered_map<std::uint32_t, std::size_t> index_of_hr;
@@ -164,6 +191,10 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon, refraction),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
   text += eclipse_text(sky);
+  fmt::format_to(out, "        {}\n", face_text(sky.moon));
+  if (const std::string planets = planets_text(sky); !planets.empty()) {
+    fmt::format_to(out, "\nPlanets up\n{}", planets);
+  }
   const bool hidden = sky.sun.altitude > -6.0 * deg;
   fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
   for (const Up& up : stars_up(sky, catalogue)) {

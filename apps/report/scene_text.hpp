@@ -8,8 +8,8 @@
 
 namespace vesper {
 
-/// Time, place, Sun and Moon (airless; apparent too where refraction can show them), sky condition, brightest stars up
-/// and figures that stand high, as lines of text.
+/// Time, place, sky condition, Sun and Moon (airless; apparent too where refraction can show them), the Moon's
+/// libration, planets and brightest stars up and figures that stand high, as lines of text.
 [[nodiscard]] std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue);
 
 /// One of 16 compass points for an azimuth: "N", "NNE", ...

@@ -4,6 +4,7 @@ namespace vesper {
 namespace {
 
 constexpr double light_days_per_au = 499.004783836156412 / 86400.0; // IAU 2012 au over c
+constexpr double gm_sun_au3_d2 = 2.9591220828559e-4;                // the square of Gauss' constant
 
 /// Where a body was, seen from a fixed point, when the light that arrives now left it. Its velocity is uniform enough
 /// over minutes; two steps settle the light time below a microsecond.
@@ -35,18 +36,20 @@ Vec3 moon_from_observer_au(const EarthState& earth) {
 }
 
 Vec3 planet_from_observer_au(Planet planet, const EarthState& earth) {
-  const Vec3 observer = earth.bodies.earth.position_au + earth.earth_to_observer_au;
-  const StateVector& sun = earth.bodies.sun;
-  Vec3 from_observer{};
-  double light_days = 0.0;
-  // Over the hours that light takes from the outer planets a velocity is not uniform enough: the place is computed anew
-  // for the retarded time. Neptune moves 0.003 au in its 4 h: three steps settle it.
+  const StateVector from_sun = planet_heliocentric(planet, earth.tdb, earth.tier);
+  const double sun_distance = glm::length(from_sun.position_au);
+  const Vec3 now =
+      from_sun.position_au + earth.bodies.sun.position_au - earth.bodies.earth.position_au - earth.earth_to_observer_au;
+  const Vec3 velocity = from_sun.velocity_au_d + earth.bodies.sun.velocity_au_d;
+  // Over the minutes and hours that light takes the Sun's pull bends the path by up to 0.1 arcsec (Mercury); what its
+  // change adds is below 0.001 arcsec, so one place of the planet, which may be a long series, is enough.
+  const Vec3 acceleration = -gm_sun_au3_d2 / (sun_distance * sun_distance * sun_distance) * from_sun.position_au;
+  Vec3 then = now;
   for (int i = 0; i < 3; ++i) {
-    const StateVector from_sun = planet_heliocentric(planet, earth.tdb.plus_days(-light_days), earth.tier);
-    from_observer = sun.position_au - light_days * sun.velocity_au_d + from_sun.position_au - observer;
-    light_days = glm::length(from_observer) * light_days_per_au;
+    const double light_days = glm::length(then) * light_days_per_au;
+    then = now - light_days * (velocity - 0.5 * light_days * acceleration);
   }
-  return from_observer;
+  return then;
 }
 
 } // namespace vesper

@@ -42,7 +42,7 @@ struct Renderer::Target {
   Framebuffer framebuffer;
 };
 
-Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), ground_pass_(library) {}
+Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), planet_pass_(library), ground_pass_(library) {}
 
 Renderer::~Renderer() = default;
 
@@ -76,6 +76,10 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (plan.star_count > 0) {
     timed("stars", timings, [&] { star_pass_.place(sky, view, plan, outputs.star_shading); });
     graph.add("stars", [&](const Strip& strip) { star_pass_.draw(strip); });
+  }
+  if (has(plan.options.layers, Layer::planets)) {
+    timed("planets", timings, [&] { planet_pass_.place(sky, view, plan); });
+    graph.add("planets", [&](const Strip& strip) { planet_pass_.draw(strip); });
   }
   if (has(plan.options.layers, Layer::ground)) {
     ground_pass_.prepare(view, plan);

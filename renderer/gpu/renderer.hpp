@@ -5,6 +5,7 @@
 #include "vesper/gpu/display_mapping.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/ground_pass.hpp"
+#include "vesper/gpu/planet_pass.hpp"
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/gpu/star_pass.hpp"
 #include "vesper/plan/frame_plan.hpp"
@@ -48,6 +49,7 @@ private:
   Target& target(int width, int rows);
 
   StarPass star_pass_;
+  PlanetPass planet_pass_;
   GroundPass ground_pass_;
   std::unique_ptr<Target> target_;
   int strip_limit_ = 0;

@@ -127,9 +127,10 @@ std::vector<std::uint32_t> scintillation_numbers(const StarCatalogue& catalogue)
 
 } // namespace
 
-StarPass::StarPass(const ShaderLibrary& library)
-    : place_programs_(library, {"star.comp"}), draw_programs_(library, {"star.vert", "star.frag"}),
-      uniforms_(make_dynamic_buffer(sizeof(StarBlock))), vertices_(make_vertex_array()) {
+StarPass::StarPass(const ShaderLibrary& library, std::vector<std::string> defines)
+    : defines_(std::move(defines)), place_programs_(library, {"star.comp"}),
+      draw_programs_(library, {"star.vert", "star.frag"}), uniforms_(make_dynamic_buffer(sizeof(StarBlock))),
+      vertices_(make_vertex_array()) {
   for (GLuint location = 0; location < billboard_attributes; ++location) {
     glEnableVertexArrayAttrib(vertices_.name(), location);
     glVertexArrayAttribFormat(vertices_.name(), location, 4, GL_FLOAT, GL_FALSE,
@@ -161,7 +162,9 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
   if (plan.cheap_stars) {
     defines.emplace_back("CHEAP");
   }
-  const ProgramHandle& place_program = place_programs_.get(defines);
+  std::vector<std::string> place_defines = defines;
+  place_defines.insert(place_defines.end(), defines_.begin(), defines_.end());
+  const ProgramHandle& place_program = place_programs_.get(place_defines);
   if (shading == StarShading::constant_color) {
     defines.emplace_back("CONSTANT_COLOR");
   }

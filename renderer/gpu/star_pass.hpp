@@ -10,6 +10,9 @@
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
 
+#include <string>
+#include <vector>
+
 namespace vesper::gpu {
 
 /// What the fragment stage computes.
@@ -20,8 +23,8 @@ enum class StarShading {
 
 class StarPass {
 public:
-  /// The library must outlive the pass.
-  explicit StarPass(const ShaderLibrary& library);
+  /// The library must outlive the pass. `defines` are for star.comp, beyond those that a frame's plan asks for.
+  explicit StarPass(const ShaderLibrary& library, std::vector<std::string> defines = {});
 
   /// Copies a catalogue to the GPU in place of the one before.
   void load(const StarCatalogue& catalogue);
@@ -33,6 +36,7 @@ public:
   void draw(const Strip& strip);
 
 private:
+  std::vector<std::string> defines_;
   ProgramVariants place_programs_;
   ProgramVariants draw_programs_;
   Buffer records_;

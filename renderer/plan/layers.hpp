@@ -10,10 +10,11 @@
 namespace vesper {
 
 enum class Layer : std::size_t {
-  stars,  ///< point sources of the catalogue
-  ground, ///< the opaque Earth below the horizon
+  stars,   ///< point sources of the catalogue
+  planets, ///< Mercury to Neptune, as point sources
+  ground,  ///< the opaque Earth below the horizon
 };
-inline constexpr std::size_t layer_count = 2;
+inline constexpr std::size_t layer_count = 3;
 
 using LayerSet = std::bitset<layer_count>;
 

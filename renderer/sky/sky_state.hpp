@@ -3,31 +3,15 @@
 
 #include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/observer.hpp"
-#include "vesper/astro/solar_eclipse.hpp"
 #include "vesper/astro/refraction.hpp"
+#include "vesper/astro/solar_eclipse.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
-#include "vesper/base/units.hpp"
-#include "vesper/base/vector.hpp"
+#include "vesper/sky/apparent_place.hpp"
+#include "vesper/sky/moon_state.hpp"
+#include "vesper/sky/planet_state.hpp"
 
 namespace vesper {
-
-/// Apparent topocentric place of a body: true equator and equinox of date, airless.
-struct BodyPlace {
-  Angle right_ascension;
-  Angle declination;
-  Angle azimuth;            ///< north through east
-  Angle altitude;           ///< airless
-  Length distance;          ///< from the observer now to the body when the light left it
-  Vec3 direction_horizon{}; ///< unit vector, x = East, y = North, z = zenith
-};
-
-struct MoonState {
-  BodyPlace place;
-  double illuminated_fraction = 0.0; ///< 0 to 1, topocentric
-  Angle phase_angle;                 ///< Sun-Moon-observer, 0 (full) to 180 degrees (new)
-  Angle bright_limb;                 ///< position angle of the bright limb's midpoint, north through east, 0 to 360
-};
 
 struct SkyState {
   Instant instant;
@@ -39,6 +23,7 @@ struct SkyState {
   MoonState moon;
   LunarEclipseState lunar_eclipse; ///< Danjon's shadow, whether the Moon is near it or not
   SolarEclipseState solar_eclipse; ///< for the observer, whether Sun and Moon are up or not
+  PlanetStates planets;
   double seconds = 0.0; ///< TT seconds since J2000.0, the clock of scintillation
 };
 

@@ -42,6 +42,14 @@ FN Real scintillation_secant(Real sin_altitude) {
   return shell_path(abs(sin_altitude), earth_radius_km);
 }
 
+// The pupil that averages a point's scintillation as the eye's does a disc's: rays from the disc to the pupil cross the
+// turbulence over a patch as wide as the disc at its distance, so widths add as independent averages. A planet of 10
+// arcsec then twinkles a tenth as much as a star.
+FN Real disc_pupil(Real pupil, Real disc_rad, Real sin_altitude) {
+  Real patch_m = disc_rad * turbulence_height_m * scintillation_secant(sin_altitude);
+  return sqrt(pupil * pupil + patch_m * patch_m);
+}
+
 // Temporal power per unit of log frequency: flat to the corner of the Fresnel zone's crossing, then f^(-8/3).
 FN Real scintillation_power(Real frequency_hz, Real corner_hz) {
   return frequency_hz / (Real(1.0) + pow(frequency_hz / corner_hz, Real(8.0 / 3.0)));

@@ -53,13 +53,27 @@ TEST_F(ReportCli, ASceneAsJson) {
   EXPECT_LT(scene.at("sun_altitude_deg").get<double>(), -10.0);
 }
 
+TEST_F(ReportCli, TheMoonsGlobeIsReported) {
+  // A row of the reference table (tests/data/astro/moon_topo.csv).
+  const CommandResult result =
+      report("--json --time 1985-05-08T00:50:24Z --latitude 47.0974 --longitude 127.1032 --height 3312 "
+             "--columns moon_axis_deg,moon_libration_longitude_deg,moon_libration_latitude_deg,moon_bright_limb_deg");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const json scene = json::parse(result.out);
+  EXPECT_NEAR(scene.at("moon_axis_deg").get<double>(), 358.4800, 0.01);
+  EXPECT_NEAR(scene.at("moon_libration_longitude_deg").get<double>(), 5.4727, 0.01);
+  EXPECT_NEAR(scene.at("moon_libration_latitude_deg").get<double>(), 5.3072, 0.01);
+  EXPECT_NEAR(scene.at("moon_bright_limb_deg").get<double>(), 94.0680, 0.02);
+}
+
 TEST_F(ReportCli, ASceneInWordsNamesWhatIsUp) {
   const CommandResult result = report(std::string("--time 2026-01-15T22:00:00Z") + place);
   ASSERT_EQ(result.status, 0) << result.err;
-  for (const char* expected : {"night", "Sirius", "Capella", "Betelgeuse", "Orion", "Cassiopeia"}) {
+  for (const char* expected :
+       {"night", "Sirius", "Capella", "Betelgeuse", "Orion", "Cassiopeia", "Jupiter", "Uranus"}) {
     EXPECT_NE(result.out.find(expected), std::string::npos) << expected << "\n" << result.out;
   }
-  for (const char* unexpected : {"Antares", "Scorpius", "the Southern Cross", "Vega"}) {
+  for (const char* unexpected : {"Antares", "Scorpius", "the Southern Cross", "Vega", "Saturn"}) {
     EXPECT_EQ(result.out.find(unexpected), std::string::npos) << unexpected << "\n" << result.out;
   }
 }
