@@ -42,12 +42,11 @@ RefractionTracer::RefractionTracer(const RefractionConditions& conditions, Trace
                        ? air_profile_corners_km()
                        : std::vector<double>{10.016, 12.023, 19.057, 21.070, 32.0, 50.0, top_of_air_km};
   constexpr double step_km = 0.05;
-  for (double height = air_.observer_km(); height > ground_km_; height -= step_km) {
-    if (optics(height).n_r_slope < least_slope) {
-      ground_km_ = std::min(height + step_km, air_.observer_km());
-      break;
-    }
+  double free_of_ducts = air_.observer_km();
+  while (free_of_ducts > ground_km_ && optics(free_of_ducts - step_km).n_r_slope > least_slope) {
+    free_of_ducts -= step_km;
   }
+  ground_km_ = std::max(ground_km_, free_of_ducts);
 }
 
 RefractionTracer::Optics RefractionTracer::optics(double height_km) const {

@@ -257,7 +257,7 @@ TEST(RefractionTable, InSinglePrecision) {
     const double altitude = i * 0.01 * degree;
     for (const bool apparent : {false, true}) {
       const auto sine = static_cast<float>(std::sin(altitude));
-      const double in_float = static_cast<double>(f32::table_bend(sine, apparent, frame, sampler));
+      const auto in_float = static_cast<double>(f32::table_bend(sine, apparent, frame, sampler));
       const double in_double = f64::table_bend(static_cast<double>(sine), apparent, table.frame, exact);
       bends.add(((in_float - in_double) * std::cos(altitude) * rad).to(arcsec));
     }
