@@ -124,7 +124,7 @@ void invert_into_true_half(RefractionTable& table) {
 } // namespace
 
 RefractionTable make_refraction_table(const RefractionConditions& conditions) {
-  const RefractionTracer tracer(conditions, TraceQuality::fast);
+  const RefractionTracer tracer(conditions, fast_trace);
   RefractionTable table;
   table.conditions = conditions;
   table.horizon = tracer.horizon();

@@ -126,6 +126,30 @@ TEST(TracedRefraction, AgreesWithRaysFollowedStepByStep) {
   EXPECT_LT(errors.worst(), 0.01);
 }
 
+TEST(TracedRefraction, IsConverged) {
+  constexpr TraceQuality finer{24, 8, true};
+  ErrorSum fine_errors;
+  ErrorSum fast_errors;
+  for (const double height : {-0.4, 0.0, 2.4, 9.0, 10.5, 12.0, 13.0}) {
+    for (const double warmer : {-30.0, 0.0, 30.0}) {
+      RefractionConditions c = standard_conditions(height * kilometre);
+      c.temperature_c += warmer;
+      const RefractionTracer best(c, finer);
+      const RefractionTracer fine(c);
+      const RefractionTracer fast(c, fast_trace);
+      for (double altitude = fine.horizon().to(deg); altitude < 90.0; altitude += altitude < 5.0 ? 0.1 : 5.0) {
+        const double truth = best.trace(altitude * deg).refraction.to(arcsec);
+        fine_errors.add(fine.trace(altitude * deg).refraction.to(arcsec) - truth);
+        fast_errors.add(fast.trace(altitude * deg).refraction.to(arcsec) - truth);
+      }
+    }
+  }
+  fine_errors.print("fine trace against a finer one", "arcsec");
+  fast_errors.print("fast trace against a finer one", "arcsec");
+  EXPECT_LT(fine_errors.worst(), 1.0e-6);
+  EXPECT_LT(fast_errors.worst(), 0.01);
+}
+
 TEST(TracedRefraction, DipOfTheSeasHorizon) {
   // Nautical Almanac: dip = 1.76' sqrt(height / m).
   ErrorSum errors;
