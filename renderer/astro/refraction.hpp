@@ -15,7 +15,7 @@ namespace vesper {
 /// How starlight is bent.
 enum class RefractionModel {
   none,
-  published, ///< Saemundsson's formula: within 0.1' of traced rays above 5 degrees, 0.7' at the horizon
+  published, ///< Saemundsson's formula: within 0.2' of traced rays above 5 degrees, 0.7' down to the horizon
   traced,    ///< a table for the given conditions
 };
 
