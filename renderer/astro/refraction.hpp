@@ -15,14 +15,14 @@ namespace vesper {
 /// How starlight is bent.
 enum class RefractionModel {
   none,
-  published, ///< Saemundsson's formula: within 0.1' of traced rays above 5 degrees, 0.7' at the horizon
+  published, ///< Saemundsson's formula: within 0.2' of traced rays above 5 degrees, 0.7' down to the horizon
   traced,    ///< a table for the given conditions
 };
 
 /// Refraction for one observer, light of one wavelength and every altitude, traced once. Immutable; the functions below
 /// and shaders/lib/refraction.glsl read it.
 ///
-/// Against rays traced finely: within 0.01" above 10 degrees and 0.5" down to the horizon (1" around 12 km, where rays
+/// Against rays traced finely: within 0.02" above 10 degrees and 0.5" down to the horizon (1" around 12 km, where rays
 /// graze the tropopause), for -0.4 to 9 km, 500 to 1060 hPa, -40 to 45 C and 440 to 680 nm. Below the horizon, where
 /// the ground hides all light from the sky, refraction goes on smoothly and vanishes at the nadir. Altitudes stay in
 /// their order, and going there and back leads back within 0.01" up to 9 km, 0.5" above the tropopause.

@@ -1,19 +1,28 @@
 #include "vesper/astro/refraction.hpp"
 #include "vesper/astro/refraction_trace.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace vesper {
 namespace {
 
 constexpr int below = f64::refraction_intervals_below;
 constexpr int above = f64::refraction_intervals_above;
-constexpr auto node_count = static_cast<std::size_t>(below + above + 1);
+constexpr int last = below + above;
+constexpr std::size_t node_count = std::size_t{last} + 1;
+
+/// The bend has its limit at the zenith within 1e-7 of what it is at this sine, where it still can be divided.
+constexpr double next_to_the_pole = 1.0 - 1.0e-7;
+
+using Nodes = std::array<double, node_count>;
+double& at(Nodes& nodes, int i) { return nodes.at(static_cast<std::size_t>(i)); }
 
 /// Sine of the altitude of a node.
 double sine_of(int node, double horizon, const f64::vec2& scale) {
-  if (node == 0 || node == below + above) {
+  if (node == 0 || node == last) {
     return node == 0 ? -1.0 : 1.0;
   }
   return horizon + f64::refraction_width * std::sinh((node - below) / (node < below ? scale.x : scale.y));
@@ -40,13 +49,13 @@ double slope_at(const double* values, int count, int i) {
 }
 
 /// Slopes by arc_sinh on both sides of the horizon; at it the upper side's, so that the curve has no corner.
-std::array<double, node_count> slopes_of(const std::array<double, node_count>& bends, const f64::vec2& scale) {
-  std::array<double, node_count> slopes{};
+Nodes slopes_of(const Nodes& bends, const f64::vec2& scale) {
+  Nodes slopes{};
   for (int i = 0; i < below; ++i) {
-    slopes.at(static_cast<std::size_t>(i)) = scale.x * slope_at(bends.data(), below + 1, i);
+    at(slopes, i) = scale.x * slope_at(bends.data(), below + 1, i);
   }
-  for (int i = 0; i <= above; ++i) {
-    slopes.at(static_cast<std::size_t>(below + i)) = scale.y * slope_at(bends.data() + below, above + 1, i);
+  for (int i = below; i <= last; ++i) {
+    at(slopes, i) = scale.y * slope_at(bends.data() + below, above + 1, i - below);
   }
   return slopes;
 }
@@ -70,59 +79,65 @@ double solved_apparent_rad(double true_altitude, double start, const RefractionT
   return apparent;
 }
 
-} // namespace
-
-RefractionTable make_refraction_table(const RefractionConditions& conditions) {
-  const RefractionTracer tracer(conditions, TraceQuality::fast);
-  RefractionTable table;
-  table.conditions = conditions;
-  table.horizon = tracer.horizon();
-  const double horizon = table.horizon.to(rad);
-  const double grazing = tracer.trace(table.horizon).refraction.to(rad);
-  f64::RefractionFrame& frame = table.frame;
-  frame.kind = f64::refraction_traced;
-  frame.strength = 1.0;
-  frame.horizon_apparent = std::sin(horizon);
-  frame.horizon_true = std::sin(horizon - grazing);
-  frame.scale_apparent = scale_for(frame.horizon_apparent);
-  frame.scale_true = scale_for(frame.horizon_true);
-  table.texels.resize(node_count);
-
-  std::array<double, node_count> bends{};
-  const auto bend_at = [&](int node) -> double& { return bends.at(static_cast<std::size_t>(node)); };
-  for (int node = below; node <= below + above; ++node) {
-    // Next to the zenith the bend has its limit within 1e-7 of itself.
-    const double sine = std::min(sine_of(node, frame.horizon_apparent, frame.scale_apparent), 1.0 - 1.0e-7);
-    const double altitude = node == below ? horizon : altitude_rad(sine);
-    bend_at(node) = tracer.trace(altitude * rad).refraction.to(rad) / std::cos(altitude);
+/// The bends at apparent altitudes: traced down to the horizon and carried on below.
+void trace_apparent_half(const RefractionTracer& tracer, RefractionTable& table) {
+  const f64::RefractionFrame& frame = table.frame;
+  const auto sine_at = [&](int node) { return sine_of(node, frame.horizon_apparent, frame.scale_apparent); };
+  Nodes bends{};
+  for (int node = below; node <= last; ++node) {
+    const double altitude =
+        node == below ? table.horizon.to(rad) : altitude_rad(std::min(sine_at(node), next_to_the_pole));
+    at(bends, node) = tracer.trace(altitude * rad).refraction.to(rad) / std::cos(altitude);
   }
   // No light comes from below: go on with the horizon's slope and level out, the refraction vanishing at the nadir
   // with the cosine of the altitude.
-  const double slope = frame.scale_apparent.y / f64::refraction_width * slope_at(&bend_at(below), above + 1, 0);
+  const double slope = frame.scale_apparent.y * slope_at(&at(bends, below), above + 1, 0);
   for (int node = 0; node < below; ++node) {
-    const double depth =
-        (frame.horizon_apparent - sine_of(node, frame.horizon_apparent, frame.scale_apparent)) / f64::refraction_width;
-    bend_at(node) = bend_at(below) - slope * f64::refraction_width * depth / (1.0 + depth);
+    const double depth = (frame.horizon_apparent - sine_at(node)) / f64::refraction_width;
+    at(bends, node) = at(bends, below) - slope * depth / (1.0 + depth);
   }
-  std::array<double, node_count> slopes = slopes_of(bends, frame.scale_apparent);
+  const Nodes slopes = slopes_of(bends, frame.scale_apparent);
   for (std::size_t i = 0; i < node_count; ++i) {
     table.texels[i].x = bends.at(i);
     table.texels[i].y = slopes.at(i);
   }
+}
 
+/// The bends at true altitudes, which lead back along the other half.
+void invert_into_true_half(RefractionTable& table) {
+  const f64::RefractionFrame& frame = table.frame;
+  Nodes bends{};
   double apparent = -0.5 * std::numbers::pi;
-  for (int node = 0; node <= below + above; ++node) {
-    const double sine =
-        std::min(std::max(sine_of(node, frame.horizon_true, frame.scale_true), 1.0e-7 - 1.0), 1.0 - 1.0e-7);
-    const double altitude = altitude_rad(sine);
+  for (int node = 0; node <= last; ++node) {
+    const double sine = sine_of(node, frame.horizon_true, frame.scale_true);
+    const double altitude = altitude_rad(std::clamp(sine, -next_to_the_pole, next_to_the_pole));
     apparent = solved_apparent_rad(altitude, std::max(apparent, altitude), table);
-    bend_at(node) = (apparent - altitude) / std::cos(altitude);
+    at(bends, node) = (apparent - altitude) / std::cos(altitude);
   }
-  slopes = slopes_of(bends, frame.scale_true);
+  const Nodes slopes = slopes_of(bends, frame.scale_true);
   for (std::size_t i = 0; i < node_count; ++i) {
     table.texels[i].z = bends.at(i);
     table.texels[i].w = slopes.at(i);
   }
+}
+
+} // namespace
+
+RefractionTable make_refraction_table(const RefractionConditions& conditions) {
+  const RefractionTracer tracer(conditions, fast_trace);
+  RefractionTable table;
+  table.conditions = conditions;
+  table.horizon = tracer.horizon();
+  table.texels.resize(node_count);
+  f64::RefractionFrame& frame = table.frame;
+  frame.kind = f64::refraction_traced;
+  frame.strength = 1.0;
+  frame.horizon_apparent = std::sin(table.horizon.to(rad));
+  frame.horizon_true = std::sin((table.horizon - tracer.trace(table.horizon).refraction).to(rad));
+  frame.scale_apparent = scale_for(frame.horizon_apparent);
+  frame.scale_true = scale_for(frame.horizon_true);
+  trace_apparent_half(tracer, table);
+  invert_into_true_half(table);
   return table;
 }
 

@@ -35,19 +35,18 @@ void gauss_legendre(int order, std::vector<double>& abscissae, std::vector<doubl
 } // namespace
 
 RefractionTracer::RefractionTracer(const RefractionConditions& conditions, TraceQuality quality)
-    : air_(conditions), ground_km_(std::min(0.0, air_.observer_km())), panels_(quality == TraceQuality::fine ? 4 : 1) {
-  gauss_legendre(quality == TraceQuality::fine ? 16 : 6, abscissae_, weights_);
-  // The fast way minds the corners below 21 km only: above, there is little left to bend light.
-  boundaries_km_ = quality == TraceQuality::fine
+    : air_(conditions), ground_km_(std::min(0.0, air_.observer_km())), panels_(quality.panels) {
+  gauss_legendre(quality.order, abscissae_, weights_);
+  // Above 21 km there is little left to bend light.
+  boundaries_km_ = quality.every_corner
                        ? air_profile_corners_km()
                        : std::vector<double>{10.016, 12.023, 19.057, 21.070, 32.0, 50.0, top_of_air_km};
   constexpr double step_km = 0.05;
-  for (double height = air_.observer_km(); height > ground_km_; height -= step_km) {
-    if (optics(height).n_r_slope < least_slope) {
-      ground_km_ = std::min(height + step_km, air_.observer_km());
-      break;
-    }
+  double free_of_ducts = air_.observer_km();
+  while (free_of_ducts > ground_km_ && optics(free_of_ducts - step_km).n_r_slope > least_slope) {
+    free_of_ducts -= step_km;
   }
+  ground_km_ = std::max(ground_km_, free_of_ducts);
 }
 
 RefractionTracer::Optics RefractionTracer::optics(double height_km) const {

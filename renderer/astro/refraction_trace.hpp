@@ -9,10 +9,13 @@
 namespace vesper {
 
 /// How finely a ray is integrated.
-enum class TraceQuality {
-  fast, ///< within 0.01 arcsec of `fine` up to 13 km
-  fine, ///< converged to 1e-6 arcsec: the reference
+struct TraceQuality {
+  int order;         ///< of Gauss's quadrature
+  int panels;        ///< between two boundaries of height
+  bool every_corner; ///< boundaries at all corners of the temperature, or only at those below 21 km
 };
+inline constexpr TraceQuality fast_trace{6, 1, false}; ///< within 0.01 arcsec of fine_trace up to 13 km
+inline constexpr TraceQuality fine_trace{16, 4, true}; ///< the reference: within 1e-6 arcsec of finer ones
 
 struct TracedRay {
   Angle refraction; ///< apparent less true altitude, >= 0
@@ -28,7 +31,7 @@ struct TracedRay {
 class RefractionTracer {
 public:
   /// Throws Error(argument) for conditions out of range.
-  explicit RefractionTracer(const RefractionConditions& conditions, TraceQuality quality = TraceQuality::fine);
+  explicit RefractionTracer(const RefractionConditions& conditions, TraceQuality quality = fine_trace);
 
   /// \param apparent_altitude -90 to 90 degrees
   [[nodiscard]] TracedRay trace(Angle apparent_altitude) const;

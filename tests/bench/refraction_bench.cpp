@@ -21,8 +21,8 @@ void horizon_ray(benchmark::State& state, TraceQuality quality) {
     benchmark::DoNotOptimize(tracer.trace(0.0 * deg));
   }
 }
-BENCHMARK_CAPTURE(horizon_ray, fast, TraceQuality::fast)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(horizon_ray, fine, TraceQuality::fine)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(horizon_ray, fast, fast_trace)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(horizon_ray, fine, fine_trace)->Unit(benchmark::kMicrosecond);
 
 void looked_up(benchmark::State& state, RefractionModel model) {
   const Refraction refraction = with_table({model, standard_conditions(47.0 * metre), nullptr});
