@@ -25,9 +25,9 @@ struct PlaceErrors {
     distance_km.add((place.distance - distance).to(kilometre));
   }
   void hold(const std::string& body, double limit_arcsec, double limit_km) const {
-    equatorial.hold((body + ", right ascension and declination").c_str(), limit_arcsec, "arcsec");
-    horizontal.hold((body + ", azimuth and altitude").c_str(), limit_arcsec, "arcsec");
-    distance_km.hold((body + ", distance").c_str(), limit_km, "km");
+    equatorial.hold(body + ", right ascension and declination", limit_arcsec, "arcsec");
+    horizontal.hold(body + ", azimuth and altitude", limit_arcsec, "arcsec");
+    distance_km.hold(body + ", distance", limit_km, "km");
   }
 };
 
@@ -56,9 +56,9 @@ struct MoonErrors {
 
   void hold(const std::string& body, double limit_arcsec, double limit_km) const {
     place.hold(body, limit_arcsec, limit_km);
-    phase_arcsec.hold((body + ", phase angle").c_str(), 72.0, "arcsec"); // 0.02 degree
-    limb_degrees.hold((body + ", position angle of the bright limb").c_str(), 0.02, "degree");
-    fraction.hold((body + ", illuminated fraction").c_str(), 2e-4, "");
+    phase_arcsec.hold(body + ", phase angle", 72.0, "arcsec"); // 0.02 degree
+    limb_degrees.hold(body + ", position angle of the bright limb", 0.02, "degree");
+    fraction.hold(body + ", illuminated fraction", 2e-4, "");
   }
 };
 

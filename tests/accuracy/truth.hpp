@@ -73,9 +73,9 @@ public:
   [[nodiscard]] double rms() const { return count_ == 0 ? 0.0 : std::sqrt(squares_ / static_cast<double>(count_)); }
   [[nodiscard]] std::size_t count() const { return count_; }
   /// Prints the figures with the limit they are held to, for the test and for docs/ACCURACY.md, and checks the worst.
-  void hold(const char* what, double limit, const char* unit) const {
-    std::printf("%s: worst %.3g %s, RMS %.3g %s, %zu rows, held to %g %s\n", what, worst_, unit, rms(), unit, count_,
-                limit, unit);
+  void hold(const std::string& what, double limit, const char* unit) const {
+    std::printf("%s: worst %.3g %s, RMS %.3g %s, %zu rows, held to %g %s\n", what.c_str(), worst_, unit, rms(), unit,
+                count_, limit, unit);
     EXPECT_GT(count_, 0U) << what;
     EXPECT_LE(worst_, limit) << what << " in " << unit;
   }
