@@ -111,6 +111,32 @@ struct Day {
   std::vector<Row> rows;
 };
 
+/// What the Sun's altitudes of a day leave out, beyond whether it rises and sets: the first twilight that does not end
+/// in night, or the last that does not begin.
+std::optional<Row> twilight_row(const BodyEvents& sun) {
+  struct Level {
+    double altitude_deg;
+    std::string_view not_below, not_above;
+  };
+  constexpr std::array levels{Level{-6.0, "does not sink below -6", "does not climb above -6"},
+                              Level{-12.0, "does not sink below -12", "does not climb above -12"},
+                              Level{-18.0, "does not sink below -18", "does not climb above -18"}};
+  if (sun.conduct == HorizonConduct::stays_above) {
+    return std::nullopt;
+  }
+  const auto* const bright = std::find_if(levels.begin(), levels.end(), [&](const Level& level) {
+    return sun.lowest.place.altitude > level.altitude_deg * deg;
+  });
+  if (bright != levels.end()) {
+    return Row{"sun", bright->not_below, std::nullopt, sun.lowest.place};
+  }
+  const auto dark = std::find_if(levels.rbegin(), levels.rend(), [&](const Level& level) {
+    return sun.highest.place.altitude < level.altitude_deg * deg;
+  });
+  return dark == levels.rend() ? std::nullopt
+                               : std::optional(Row{"sun", dark->not_above, std::nullopt, sun.highest.place});
+}
+
 Day day_of(const SceneOptions& scene, const EventRequest& request, double midnight_jd) {
   const Instant begin = instant_from_utc({midnight_jd, 0.0});
   const Instant end = instant_from_utc({midnight_jd + 1.0, 0.0});
@@ -130,6 +156,12 @@ Day day_of(const SceneOptions& scene, const EventRequest& request, double midnig
       day.rows.push_back({name, "does not rise", std::nullopt, body.highest.place});
     } else if (body.conduct == HorizonConduct::stays_above) {
       day.rows.push_back({name, "does not set", std::nullopt, body.lowest.place});
+    }
+    const auto* const luminary = std::get_if<Luminary>(&request.bodies[i].body);
+    if (luminary != nullptr && *luminary == Luminary::sun) {
+      if (const auto row = twilight_row(body)) {
+        day.rows.push_back(*row);
+      }
     }
     for (const SkyEvent& event : body.events) {
       if (event.kind != SkyEventKind::lower_transit || request.lower_transits) {
@@ -164,7 +196,9 @@ CLI::App* add_events_command(CLI::App& app, EventOptions& options) {
       "or JSON. By almanac convention the Sun rises and sets with its centre at -50', the Moon with its upper limb and "
       "planets and stars with their centre at -34', airless; the dip of the horizon from a height is ignored. "
       "Twilights: the Sun's centre at -6, -12, -18 degrees. Azimuth and altitude are those of the centre, airless; at "
-      "'does not rise' the highest of the day, at 'does not set' the lowest");
+      "'does not rise' and 'does not climb above' the highest of the day, at 'does not set' and 'does not sink below' "
+      "the "
+      "lowest");
   events->add_option("--days", options.days, fmt::format("How many dates, 1 to {}; default 1", most_days))
       ->type_name("N");
   events

@@ -4,10 +4,10 @@
 #include "vesper/astro/ephemeris.hpp"
 #include "vesper/base/vector.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 namespace vesper {
 
@@ -18,39 +18,43 @@ struct Moving {
 };
 
 /// c[0] + c[1] x + c[2] x^2 + ...
-template <std::size_t N> constexpr double polynomial(const double (&c)[N], double x) {
-  double sum = c[N - 1];
+template <class Number, std::size_t N> constexpr Number polynomial(const double (&c)[N], Number x) {
+  Number sum = c[N - 1] + Number{};
   for (std::size_t i = N - 1; i-- > 0;) {
     sum = c[i] + x * sum;
   }
   return sum;
 }
 
+/// Terms are summed two at a time, in the vectors that every 64-bit processor has (an extension of GCC and Clang).
+inline constexpr std::size_t lane_count = 2;
+using Lanes __attribute__((vector_size(lane_count * sizeof(double)))) = double;
+
 struct CosSin {
-  double cos = 1.0;
-  double sin = 0.0;
+  Lanes cos;
+  Lanes sin;
 };
 
-/// Within 2e-13 for angles up to 1e6 rad, without a branch: in half the time of the standard library's pair, which a
-/// sum of a thousand terms feels.
-inline CosSin cos_sin(double angle_rad) {
+/// Within 2e-13 for angles up to 1e6 rad, without a branch: several times faster than the standard library's pair,
+/// which a sum of a thousand terms feels.
+inline CosSin cos_sin(const Lanes& angle_rad) {
   // Less whole turns; 2 pi in two parts, the first short enough that its multiples are exact.
   constexpr double turns_per_rad = 0.15915494309189535;
   constexpr double turn_high = 6.2831853069365025;
   constexpr double turn_low = 2.430840202602477e-10;
   constexpr double to_integer = 6755399441055744.0; // 1.5 * 2^52: adding it rounds
-  const double turns = (angle_rad * turns_per_rad + to_integer) - to_integer;
-  const double x = 0.25 * ((angle_rad - turns * turn_high) - turns * turn_low); // within pi/4
   // Taylor series of sin x / x and (1 - cos x) / x^2 by x^2, then the angle doubled twice. 1 - cos keeps the digits.
   constexpr double sine[] = {
       1.0, -1.0 / 6.0, 1.0 / 120.0, -1.0 / 5040.0, 1.0 / 362880.0, -1.0 / 39916800.0, 1.0 / 6227020800.0};
   constexpr double versine[] = {1.0 / 2.0,       -1.0 / 24.0,        1.0 / 720.0,        -1.0 / 40320.0,
                                 1.0 / 3628800.0, -1.0 / 479001600.0, 1.0 / 87178291200.0};
-  const double y = x * x;
-  const double s = x * polynomial(sine, y);
-  const double v = y * polynomial(versine, y);
-  const double s2 = 2.0 * s * (1.0 - v); // sin and 1 - cos of 2 x
-  const double v2 = 2.0 * s * s;
+  const Lanes turns = (angle_rad * turns_per_rad + to_integer) - to_integer;
+  const Lanes x = 0.25 * ((angle_rad - turns * turn_high) - turns * turn_low); // within pi/4
+  const Lanes y = x * x;
+  const Lanes s = x * polynomial(sine, y);
+  const Lanes v = y * polynomial(versine, y);
+  const Lanes s2 = 2.0 * s * (1.0 - v); // sin and 1 - cos of 2 x
+  const Lanes v2 = 2.0 * s * s;
   return {1.0 - 2.0 * s2 * s2, 2.0 * s2 * (1.0 - v2)};
 }
 
@@ -63,19 +67,30 @@ Moving harmonic_sum(const Term*& next, const std::uint16_t (&counts)[Powers], do
   double power = 1.0;            // t^k
   double power_derivative = 0.0; // k t^(k-1)
   for (std::size_t k = 0; k < Powers; ++k) {
-    Moving sum;
-    for (const Term& term : std::span(next, counts[k])) {
-      if (std::abs(term.amplitude) < least) {
-        break;
+    const Term* const end =
+        std::find_if(next, next + counts[k], [least](const Term& term) { return std::abs(term.amplitude) < least; });
+    Lanes values{};
+    Lanes rates{};
+    for (const Term* first = next; first < end; first += lane_count) {
+      Lanes amplitude{};
+      Lanes phase{};
+      Lanes frequency{};
+      const auto here = std::min(lane_count, static_cast<std::size_t>(end - first));
+      for (std::size_t i = 0; i < here; ++i) {
+        const Moving at = first[i].phase(t);
+        amplitude[i] = first[i].amplitude;
+        phase[i] = at.value;
+        frequency[i] = at.rate;
       }
-      const Moving phase = term.phase(t);
-      const CosSin at = cos_sin(phase.value);
-      sum.value += term.amplitude * at.cos;
-      sum.rate -= term.amplitude * at.sin * phase.rate;
+      const CosSin at = cos_sin(phase);
+      values += amplitude * at.cos;
+      rates -= amplitude * at.sin * frequency;
     }
     next += counts[k];
-    total.value += power * sum.value;
-    total.rate += power * sum.rate + power_derivative * sum.value;
+    const double value = values[0] + values[1];
+    const double rate = rates[0] + rates[1];
+    total.value += power * value;
+    total.rate += power * rate + power_derivative * value;
     power_derivative = static_cast<double>(k + 1) * power;
     power *= t;
   }

@@ -85,6 +85,29 @@ TEST_F(EventCli, PolarDaysAndNightsAreSaidPlainly) {
   EXPECT_EQ(winter.at(1).at("event"), "astronomical dawn");
 }
 
+TEST_F(EventCli, TwilightsThatDoNotComeAreSaidPlainly) {
+  struct Case {
+    const char* options;
+    const char* said; ///< the last of what holds all day, "" for nothing
+  };
+  // The Sun's extremes are those of 90 less latitude, plus and minus 23.44.
+  for (const Case& c :
+       {Case{"--latitude 40 --time 2026-06-21", ""}, Case{"--latitude 50 --time 2026-06-21", "does not sink below -18"},
+        Case{"--latitude 60 --time 2026-06-21", "does not sink below -12"},
+        Case{"--latitude 64 --time 2026-06-21", "does not sink below -6"},
+        Case{"--latitude 70 --time 2026-06-21", "does not set"},
+        Case{"--latitude 70 --time 2026-12-21", "does not rise"},
+        Case{"--latitude 80 --time 2026-12-21", "does not climb above -12"},
+        Case{"--latitude 89 --time 2026-12-21", "does not climb above -18"}}) {
+    const CsvTable day = table(events(std::string("--bodies sun --longitude 0 --height 0 ") + c.options).out);
+    std::string said;
+    for (std::size_t i = 0; i < day.row_count() && day.cell(i, 3).empty(); ++i) {
+      said = day.cell(i, 2);
+    }
+    EXPECT_EQ(said, c.said) << c.options;
+  }
+}
+
 TEST_F(EventCli, PlanetsAndStarsAndLowerTransits) {
   const CommandResult result =
       events(std::string("--bodies Venus,HR2491,polaris --lower-transits --time 2026-03-01") + madrid);
