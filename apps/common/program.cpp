@@ -27,6 +27,16 @@ void start_logging(const CLI::App& app) {
   spdlog::set_default_logger(std::move(logger));
 }
 
+/// CLI11 takes the next argument as the value of "--output=", so that "--output= --json" would write a file "--json".
+void require_values(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view argument = argv[i];
+    if (argument.starts_with("--") && argument.size() > 3 && argument.find('=') == argument.size() - 1) {
+      throw CLI::ArgumentMismatch(std::string(argument.substr(0, argument.size() - 1)) + ": no value follows the '='");
+    }
+  }
+}
+
 } // namespace
 
 void prepare_program(CLI::App& app) {
@@ -39,6 +49,7 @@ void prepare_program(CLI::App& app) {
 
 int run_program(int argc, char** argv, CLI::App& app, const std::function<void()>& work) {
   try {
+    require_values(argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) {

@@ -96,6 +96,8 @@ Observer observer_of_row(const CsvTable& input, std::size_t row, const InputColu
   return observer;
 }
 
+double days_from_j2000(const Instant& instant) { return std::abs(instant.tt.days_since({2451545.0, 0.0})); }
+
 std::string header_of(const CsvTable& input, std::span<const SceneColumn> columns) {
   std::string header;
   for (const std::string_view name : input.header()) {
@@ -105,7 +107,7 @@ std::string header_of(const CsvTable& input, std::span<const SceneColumn> column
   for (const SceneColumn& column : columns) {
     if (input.find_column(column.name)) {
       throw Error(ErrorKind::input, fmt::format("column '{}' stands in the input already", column.name),
-                  {"", "line 1", "Rename it, or leave it out of --columns"});
+                  {input.file(), "line 1", "Rename it, or leave it out of --columns"});
     }
     header.append(column.name);
     header += ',';
@@ -126,6 +128,8 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
     std::string csv;
     std::size_t taken_as_ut1 = 0;
     std::size_t first_line = 0;
+    Instant farthest;
+    std::size_t farthest_line = 0;
   };
   std::vector<Chunk> chunks((rows + rows_per_chunk - 1) / rows_per_chunk);
   ProgressBar progress("scenes", rows);
@@ -135,6 +139,10 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
       const Instant instant = instant_of_row(input, row, found, defaults);
       if (!instant.note.empty() && chunk.taken_as_ut1++ == 0) {
         chunk.first_line = input.line(row);
+      }
+      if (chunk.farthest_line == 0 || days_from_j2000(instant) > days_from_j2000(chunk.farthest)) {
+        chunk.farthest = instant;
+        chunk.farthest_line = input.line(row);
       }
       const SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
       for (std::size_t column = 0; column < input.header().size(); ++column) {
@@ -155,6 +163,10 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
       report.first_such_line = chunk.first_line;
     }
     report.rows_taken_as_ut1 += chunk.taken_as_ut1;
+    if (report.farthest_line == 0 || days_from_j2000(chunk.farthest) > days_from_j2000(report.farthest)) {
+      report.farthest = chunk.farthest;
+      report.farthest_line = chunk.farthest_line;
+    }
   }
   return report;
 }

@@ -15,6 +15,8 @@ struct BatchReport {
   std::string csv;
   std::size_t rows_taken_as_ut1 = 0; ///< UTC stamps outside the known leap seconds
   std::size_t first_such_line = 0;   ///< of the input
+  Instant farthest;                  ///< the row's that is farthest from J2000
+  std::size_t farthest_line = 0;     ///< 0 without rows
 };
 
 /// One output row for each row of `input`: its fields as they stand, then `columns`.

@@ -137,7 +137,7 @@ EclipseReport table_of(const std::vector<Row>& rows, const std::array<Column<Row
 }
 
 /// An instant, or a year or a date of which the beginning or the end is meant.
-Instant border(const char* option, std::string_view text, bool end) {
+Instant border(const char* option, std::string_view text, bool end, const SceneOptions& scene) {
   constexpr const char* allowed =
       "a year (2026), a date (2026-08-12) or an instant (2026-08-12T12:00:00Z), years -4712 "
       "to 9999";
@@ -149,7 +149,7 @@ Instant border(const char* option, std::string_view text, bool end) {
   const bool is_date = digits.size() == 10 && digits[4] == '-';
   const std::string date = std::string(text) + (!is_year ? "" : end ? "-12-31" : "-01-01");
   try {
-    Instant instant = parse_instant(date);
+    Instant instant = parse_instant(date, scene.time_scale, scene.calendar);
     return end && (is_year || is_date) ? later(instant, 86400.0) : instant;
   } catch (const Error& e) {
     throw Error(ErrorKind::argument,
@@ -160,7 +160,7 @@ Instant border(const char* option, std::string_view text, bool end) {
 } // namespace
 
 EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, std::string_view from,
-                               std::string_view to, const Observer& observer) {
+                               std::string_view to, const SceneOptions& scene) {
   EclipseRequest request;
   if (kind != "lunar" && kind != "solar") {
     throw Error(ErrorKind::argument, kind.empty()
@@ -172,13 +172,13 @@ EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, s
     throw Error(ErrorKind::argument, fmt::format("--shadow: '{}' is not allowed; allowed: danjon, chauvenet", shadow));
   }
   request.shadow = shadow == "danjon" ? ShadowModel::danjon : ShadowModel::chauvenet;
-  request.from = border("--from", from, false);
-  request.to = border("--to", to, true);
+  request.from = border("--from", from, false, scene);
+  request.to = border("--to", to, true, scene);
   if (request.to.tt.days_since(request.from.tt) <= 0.0) {
     throw Error(ErrorKind::argument,
                 fmt::format("--to: '{}' is not allowed; allowed: later than --from, {}", to, from));
   }
-  request.observer = observer;
+  request.observer = scene.observer;
   return request;
 }
 

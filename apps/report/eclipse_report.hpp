@@ -1,6 +1,8 @@
 // The eclipses of a span of years, as a table.
 #pragma once
 
+#include "common/scene_options.hpp"
+
 #include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/observer.hpp"
 #include "vesper/astro/time.hpp"
@@ -22,8 +24,9 @@ struct EclipseRequest {
 
 /// A request from the texts of --kind, --shadow, --from and --to. The last two take a year or an ISO date, whose end
 /// is meant by --to, or an instant. Throws Error(argument) naming option, value and what is allowed.
+/// \param scene the observer, and the time scale and calendar of `from` and `to`
 [[nodiscard]] EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, std::string_view from,
-                                             std::string_view to, const Observer& observer);
+                                             std::string_view to, const SceneOptions& scene);
 
 struct EclipseReport {
   std::string text;        ///< CSV or JSON

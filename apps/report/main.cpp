@@ -93,6 +93,11 @@ void report_batch(const SceneOptions& scene, const ReportOptions& options) {
                  "with TT from Delta-T",
                  options.batch, report.rows_taken_as_ut1, report.first_such_line);
   }
+  if (report.farthest_line > 0) {
+    for (const std::string& remark : accuracy_remarks(report.farthest)) {
+      spdlog::info("{}: line {}, the farthest date: {}", options.batch, report.farthest_line, remark);
+    }
+  }
   deliver(report.csv, options.output);
 }
 
@@ -108,8 +113,7 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
 }
 
 void report_eclipses(const SceneOptions& scene, const ReportOptions& options) {
-  const EclipseRequest request =
-      eclipse_request(options.kind, options.shadow, options.from, options.to, scene.observer);
+  const EclipseRequest request = eclipse_request(options.kind, options.shadow, options.from, options.to, scene);
   const EclipseReport report = eclipse_report(request, options.json);
   if (report.any_in_ut1) {
     spdlog::info("eclipses outside the leap seconds known (1972 to 2026) are given in UT1, from TT by Delta-T");

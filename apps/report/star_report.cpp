@@ -108,15 +108,24 @@ std::vector<RequestedStar> stars_of_table(const CsvTable& table) {
   const std::size_t ra = table.column("ra_deg");
   const std::size_t dec = table.column("dec_deg");
   const std::size_t epoch = table.column("epoch_jyear");
-  const std::array optional{table.column("pm_ra_cosdec_mas_yr"), table.column("pm_dec_mas_yr"),
-                            table.column("parallax_mas"), table.column("radial_velocity_km_s")};
+  // What may stand blank, with the most that a star could have: ten times the fastest known, a hundred times the
+  // nearest's parallax, the speed of light. Measured parallaxes of far stars scatter below zero.
+  struct Optional {
+    std::size_t column;
+    double lowest, highest;
+  };
+  const std::array optional{Optional{table.column("pm_ra_cosdec_mas_yr"), -1e5, 1e5},
+                            Optional{table.column("pm_dec_mas_yr"), -1e5, 1e5},
+                            Optional{table.column("parallax_mas"), -1e5, 1e5},
+                            Optional{table.column("radial_velocity_km_s"), -299792.0, 299792.0}};
   const auto magnitude = table.find_column("magnitude");
   std::vector<RequestedStar> stars;
   stars.reserve(table.row_count());
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     std::array<double, 4> values{};
     for (std::size_t i = 0; i < optional.size(); ++i) {
-      values.at(i) = blank(table.cell(row, optional.at(i))) ? 0.0 : table.number(row, optional.at(i));
+      const auto& [column, lowest, highest] = optional.at(i);
+      values.at(i) = blank(table.cell(row, column)) ? 0.0 : table.number(row, column, lowest, highest);
     }
     RequestedStar star;
     star.id = table.cell(row, id);

@@ -92,4 +92,7 @@ void require_supported(JulianDate<TT> tt);
 /// Earth, a date before the Gregorian calendar with its name in the Julian one.
 [[nodiscard]] std::vector<std::string> time_remarks(const Instant& instant);
 
+/// Those of them that say how far the date strains the theories and the Earth's rotation.
+[[nodiscard]] std::vector<std::string> accuracy_remarks(const Instant& instant);
+
 } // namespace vesper

@@ -18,6 +18,8 @@ namespace {
 constexpr double seconds_per_day = 86400.0;
 constexpr double year_minus_1000_jd = 1355807.5; // -1000-01-01, Gregorian
 constexpr double year_3000_jd = 2816787.5;       // 3000-01-01
+constexpr double end_of_dates_jd = 5373484.5;    // 10000-01-01
+constexpr const char* beyond_dates = "dates end with 9999-12-31 of the Gregorian calendar";
 constexpr const char* allowed_form = "Write 2026-08-12T22:00:00Z, JD2461265.4 or now";
 
 [[noreturn]] void fail(std::string_view text, const std::string& what) {
@@ -139,6 +141,9 @@ Instant parse_stamp(std::string_view text, TimeScale scale, Calendar calendar) {
     fail(text, fmt::format("month {} has no day {}", stamp.date.month, stamp.date.day));
   }
   const double midnight = midnight_jd(stamp.date, calendar);
+  if (midnight >= end_of_dates_jd) { // a Julian one
+    fail(text, beyond_dates);
+  }
   const bool leap_seconds = scale == TimeScale::utc && utc_is_defined({midnight, 0.0});
   const CalendarDate date = date_of_midnight(midnight, Calendar::gregorian);
   double day = 0.0;
@@ -165,6 +170,9 @@ Instant parse_julian_date(std::string_view text, TimeScale scale) {
   const double fraction = reader.accept('.') ? reader.fraction() : 0.0;
   if (!reader.done()) {
     fail(text, fmt::format("'{}' at the end cannot be read", reader.rest()));
+  }
+  if (day + fraction >= end_of_dates_jd) {
+    fail(text, beyond_dates);
   }
   return instant_of(day, fraction, scale);
 }
@@ -202,11 +210,8 @@ std::string to_iso8601(const Instant& instant, Calendar calendar) {
                      date.month, date.day, time[0], time[1], time[2], time[3], utc ? "Z" : " UT1");
 }
 
-std::vector<std::string> time_remarks(const Instant& instant) {
+std::vector<std::string> accuracy_remarks(const Instant& instant) {
   std::vector<std::string> remarks;
-  if (!instant.note.empty()) {
-    remarks.push_back(instant.note);
-  }
   const double uncertainty_s = delta_t_uncertainty_s(instant.tt);
   if (uncertainty_s >= 1.0) {
     remarks.push_back(fmt::format("The Earth's rotation is known to about {:.2g} s at this date (Delta-T = {:.0f} s)",
@@ -214,7 +219,18 @@ std::vector<std::string> time_remarks(const Instant& instant) {
   }
   if (instant.tt.days_since({year_minus_1000_jd, 0.0}) < 0.0 || instant.tt.days_since({year_3000_jd, 0.0}) > 0.0) {
     remarks.emplace_back("The theories of Moon, planets and precession are stretched this far from the present: expect "
-                         "errors of arcminutes, more towards -4712 and 9999");
+                         "errors of arcminutes (in the cheap tier of degrees), more towards -4712 and 9999");
+  }
+  return remarks;
+}
+
+std::vector<std::string> time_remarks(const Instant& instant) {
+  std::vector<std::string> remarks;
+  if (!instant.note.empty()) {
+    remarks.push_back(instant.note);
+  }
+  for (std::string& remark : accuracy_remarks(instant)) {
+    remarks.push_back(std::move(remark));
   }
   if (instant.ut1.days_since({gregorian_reform_jd, 0.0}) < 0.0) {
     remarks.push_back("The date is of the proleptic Gregorian calendar; in the Julian calendar " +

@@ -22,6 +22,8 @@ public:
   /// Throws Error(input) naming line and column: no header, a name twice, a wrong number of fields, a broken quotation.
   CsvTable(Bytes data, std::string file);
 
+  /// What errors call the table.
+  [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::vector<std::string_view>& header() const { return header_; }
   [[nodiscard]] std::size_t row_count() const { return lines_.size(); }
   [[nodiscard]] std::string_view cell(std::size_t row, std::size_t column) const {

@@ -105,7 +105,7 @@ TEST_F(ReportCli, BadOptionsExitWithTwoAndWriteNothing) {
         std::string("stars --ids HR99999"), std::string("stars --ids Nosuchstar"), std::string("stars --ids HR2491,"),
         std::string("stars --ids Vega --batch " + in), "--json --batch " + in,
         "--columns sun_azimuth_deg,sun_azimuth_deg --batch " + in, std::string("--scene /no/such/file.toml"),
-        std::string("unknown-subcommand")}) {
+        std::string("unknown-subcommand"), std::string("--output= --json")}) {
     const CommandResult result = report(arguments + output);
     EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
     EXPECT_NE(result.err, "") << arguments;
@@ -142,6 +142,17 @@ TEST_F(ReportCli, BatchTakesJulianDates) {
   EXPECT_NE(result.out.find("jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n"), std::string::npos);
 }
 
+TEST_F(ReportCli, BatchSaysWhatItsFarthestDateStrains) {
+  const std::string in = write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2451545,1,2,3\n"
+                                         "10000,9999,1,2,3\n2400000,2400000,1,2,3\n");
+  const CommandResult far = report("--batch " + in);
+  ASSERT_EQ(far.status, 0) << far.err;
+  EXPECT_NE(far.err.find("line 3, the farthest date: The Earth's rotation is known"), std::string::npos) << far.err;
+  EXPECT_NE(far.err.find("line 3, the farthest date: The theories of Moon"), std::string::npos) << far.err;
+  write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2451545,1,2,3\n");
+  EXPECT_EQ(report("--batch " + in).err, "");
+}
+
 TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
   struct Case {
     const char* text;
@@ -158,7 +169,7 @@ TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
            Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2\n", "line 2: 3 fields"},
            Case{"jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2441545,1,2,3\n", "line 2, column jd_ut1"},
            Case{"utc,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n2026-08-12,1,2,3,4\n",
-                "stands in the input already"},
+                "in.csv: line 1: column 'sun_azimuth_deg' stands in the input already"},
        }) {
     const std::string in = write("in.csv", c.text);
     const CommandResult result = report("--batch " + in + " -o " + path("out.csv"));
@@ -166,6 +177,11 @@ TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
     EXPECT_NE(result.err.find(c.expected), std::string::npos) << result.err;
     EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << c.text;
   }
+  const std::string late = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n9999-12-31,1,2,3\n");
+  const CommandResult julian = report("--calendar julian --batch " + late);
+  EXPECT_EQ(julian.status, 1) << julian.err;
+  EXPECT_NE(julian.err.find("line 2, column utc: '9999-12-31' is not a time: dates end"), std::string::npos)
+      << julian.err;
   EXPECT_EQ(report("--batch /no/such/file.csv").status, 1);
   const std::string good = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n");
   EXPECT_EQ(report("--batch " + good + " -o /no/such/folder/out.csv").status, 1);
@@ -208,6 +224,9 @@ TEST_F(ReportCli, StarsOfATable) {
   const CommandResult bad = report("stars --catalogue " + write("s.csv", header + "x,10,95,2000,,,,\n") + options);
   EXPECT_EQ(bad.status, 1);
   EXPECT_NE(bad.err.find("line 2, column dec_deg: '95' is not in -90 to 90"), std::string::npos) << bad.err;
+  const CommandResult wild = report("stars --catalogue " + write("s.csv", header + "x,10,5,2000,1e300,,,\n") + options);
+  EXPECT_EQ(wild.status, 1);
+  EXPECT_NE(wild.err.find("column pm_ra_cosdec_mas_yr: '1e300' is not in"), std::string::npos) << wild.err;
 }
 
 } // namespace

@@ -94,6 +94,21 @@ TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
             json::array());
 }
 
+TEST_F(ReportEclipses, SpansAreOfTheCalendarAsked) {
+  // The eclipse of 21 August 1560, Julian, which turned the young Tycho Brahe to astronomy: 31 August, Gregorian.
+  const std::string day = std::string("--from 1560-08-21 --to 1560-08-21 --kind solar --quiet") + burgos;
+  EXPECT_EQ(table(eclipses(day).out).row_count(), 0U);
+  const CommandResult julian = eclipses(day + " --calendar julian");
+  ASSERT_EQ(julian.status, 0) << julian.err;
+  const CsvTable out = table(julian.out);
+  ASSERT_EQ(out.row_count(), 1U);
+  EXPECT_TRUE(out.cell(0, 0).starts_with("1560-08-31")) << out.cell(0, 0);
+  // In TT a day begins a minute earlier than in UTC.
+  const std::string hour = std::string("--from 2026-08-12T17:46:30 --to 2026-08-13 --kind solar --quiet") + burgos;
+  EXPECT_EQ(table(eclipses(hour).out).row_count(), 0U);
+  EXPECT_EQ(table(eclipses(hour + " --time-scale tt").out).row_count(), 1U);
+}
+
 TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
   struct Case {
     const char* arguments;

@@ -104,6 +104,7 @@ TEST(Time, RejectsWhatIsNoTime) {
                            "JD2461265.4x",
                            "JD1e6",
                            "JD99999999",
+                           "JD5373484.5",
                            "JD2461265.",
                            "2461265.4",
                            "2026/08/12",
@@ -149,6 +150,9 @@ TEST(Time, JulianCalendarDatesAreReadAndWritten) {
   EXPECT_NO_THROW((void)parse_instant("1500-02-29", TimeScale::utc, Calendar::julian));
   EXPECT_THROW((void)parse_instant("1500-02-29"), Error);
   EXPECT_EQ(to_iso8601(parse_instant("2026-07-30", TimeScale::utc, Calendar::julian)), "2026-08-12T00:00:00.000Z");
+  // The calendars are 73 days apart when the years of four digits end.
+  EXPECT_EQ(to_iso8601(parse_instant("9999-10-19", TimeScale::utc, Calendar::julian)), "9999-12-31T00:00:00.000 UT1");
+  EXPECT_THROW((void)parse_instant("9999-10-20", TimeScale::utc, Calendar::julian), Error);
 }
 
 TEST(Time, RemarksSayWhatIsUncertain) {
