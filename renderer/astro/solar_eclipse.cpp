@@ -29,6 +29,9 @@ struct ShadowAxis {
     nearest_km = moon_km - glm::dot(moon_km, direction) * direction;
   }
 
+  [[nodiscard]] double distance_km(const Vec3& point_km) const {
+    return glm::length(glm::cross(point_km - moon_km, direction));
+  }
   /// Radius of the umbra in the plane of a point, negative behind the cone's tip, where the eclipse is annular.
   [[nodiscard]] double umbra_km(const Vec3& point_km) const {
     constexpr double moon = moon_valley_radius_ratio * earth_equatorial_radius_km;
@@ -138,9 +141,10 @@ SolarEclipse eclipse_of_lunation(const Instant& origin, int lunation) {
   const RoundEarth earth(glm::transpose(greenwich.equator_of_date_from_icrs)[2]);
   const Vec3 place_km = earth.place_km(axis);
   eclipse.place = geodetic(place_km, greenwich);
-  const double height_km = (earth.distance(axis) - 1.0) * earth_equatorial_radius_km;
+  // In true lengths: those of the round Earth, ten kilometres more in high latitudes, lose the slightest eclipses.
+  const double height_km = axis.distance_km(place_km);
   const double umbra_km = axis.umbra_km(place_km);
-  eclipse.central = height_km < 0.0;
+  eclipse.central = earth.distance(axis) < 1.0;
   if (eclipse.central) {
     eclipse.type = central_type(pass, earth, greatest);
   } else if (height_km < std::abs(umbra_km)) {

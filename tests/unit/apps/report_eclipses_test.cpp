@@ -79,6 +79,20 @@ TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
   EXPECT_TRUE(south.at(0).at("max").is_null());
 }
 
+TEST_F(ReportEclipses, TheSlightestOnesCount) {
+  // 1935 had five, the most that a year can have; that of 5 January, of magnitude 0.001, hardly touched the Earth. The
+  // century had 228 (Espenak and Meeus 2006, Five Millennium Canon of Solar Eclipses).
+  const CsvTable out = table(eclipses(std::string("--from 1901 --to 2000 --kind solar") + burgos).out);
+  EXPECT_EQ(out.row_count(), 228U);
+  std::string in_1935;
+  for (std::size_t row = 0; row < out.row_count(); ++row) {
+    if (out.cell(row, 0).starts_with("1935")) {
+      in_1935.append(out.cell(row, 0).substr(5, 5)).append(" ");
+    }
+  }
+  EXPECT_EQ(in_1935, "01-05 02-03 06-30 07-30 12-25 ");
+}
+
 TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
   const CommandResult years = eclipses(std::string("--from 2026 --to 2030 --kind solar") + burgos);
   ASSERT_EQ(years.status, 0) << years.err;
