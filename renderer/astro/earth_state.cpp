@@ -1,6 +1,7 @@
 #include "vesper/astro/earth_state.hpp"
 
 #include "vesper/astro/ephemeris_table.hpp"
+#include "vesper/astro/nutation_series.hpp"
 #include "vesper/astro/precession.hpp"
 
 #include <erfa.h>
@@ -32,13 +33,8 @@ struct Orientation {
 };
 
 Nutation nutation_at(JulianDate<TT> tt) {
-  if (const auto tabulated = EphemerisTable::embedded().nutation(tt)) {
-    return *tabulated;
-  }
-  Nutation nutation;
-  eraNut06a(tt.day, tt.fraction, &nutation.longitude_rad, &nutation.obliquity_rad);
-  nutation.cio_locator_rad = eraS06(tt.day, tt.fraction, 0.0, 0.0); // without X and Y it is the series of s + XY/2
-  return nutation;
+  const auto tabulated = EphemerisTable::embedded().nutation(tt);
+  return tabulated ? *tabulated : nutation_series(tt);
 }
 
 Orientation long_term_orientation(JulianDate<TT> tt, const Nutation& nutation) {

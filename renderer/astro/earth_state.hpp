@@ -22,9 +22,9 @@ struct EarthState {
 };
 
 /// Sun, Earth and Moon by sun_earth_moon, precession and nutation by IAU 2006/2000A (nutation from the embedded table
-/// where it reaches, within 0.00002" of ERFA; else by ERFA), sidereal time after that; before 1600 and after 2400 the
-/// long-term precession of precession.hpp. The observer stands on WGS84; polar motion (0.6" at most) is left out.
-/// Throws Error(argument) outside the supported span of time (time.hpp).
+/// where it reaches, within 0.00002" of ERFA; else by series, within 0.0001"), sidereal time after that; before 1600
+/// and after 2400 the long-term precession of precession.hpp. The observer stands on WGS84; polar motion (0.6" at most)
+/// is left out. Throws Error(argument) outside the supported span of time (time.hpp).
 [[nodiscard]] EarthState earth_state(const Instant& instant, const Observer& observer, Tier tier = Tier::standard);
 
 /// Apparent sidereal time at Greenwich (IAU 2006/2000A), radians, 0 to 2 pi. As in earth_state.

@@ -3,6 +3,7 @@
 
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/ephemeris_table.hpp"
+#include "vesper/astro/nutation_series.hpp"
 
 #include <erfa.h>
 #include <gtest/gtest.h>
@@ -22,6 +23,22 @@ template <class Visit> void for_dates(Visit visit) {
   for (double jd = 2415020.5; jd < 2488069.5; jd += 7.3) {
     visit(instant_of(jd));
   }
+}
+
+TEST(Nutation, SeriesMatchesTheCompleteTheory) {
+  ErrorSum near;
+  ErrorSum far;
+  for (double year = -4712.0; year < 9999.0; year += 0.37) {
+    const JulianDate<TT> tt{2451545.0, (year - 2000.0) * 365.25};
+    double longitude = 0.0;
+    double obliquity = 0.0;
+    eraNut06a(tt.day, tt.fraction, &longitude, &obliquity);
+    const Nutation ours = nutation_series(tt);
+    ErrorSum& sum = year > 1600.0 && year < 2400.0 ? near : far;
+    sum.add((std::hypot(ours.longitude_rad - longitude, ours.obliquity_rad - obliquity) * rad).to(arcsec));
+  }
+  near.hold("nutation by series, 1600 to 2400, against eraNut06a", 0.0001, "arcsec");
+  far.hold("nutation by series, -4712 to 9999, against eraNut06a", 0.0001, "arcsec");
 }
 
 TEST(EarthOrientation, EquatorOfDateMatchesErfa) {
