@@ -1,8 +1,5 @@
 // vesper-report eclipses as its users call it.
-#include "unit/apps/run_command.hpp"
-
-#include "vesper/base/csv.hpp"
-#include "vesper/base/files.hpp"
+#include "support/command_line_test.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,38 +12,21 @@ namespace {
 using nlohmann::json;
 using test::CommandResult;
 
-class ReportEclipses : public testing::Test {
+class ReportEclipses : public test::CommandLineTest {
 protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "vesper_eclipses_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] CommandResult eclipses(const std::string& arguments) const {
-    return test::run_command(folder_, "vesper-report", "eclipses " + arguments);
-  }
-  [[nodiscard]] CsvTable table(const std::string& text) const {
-    write_file_atomically(path("table.csv"), text);
-    return {read_file(path("table.csv")), "table.csv"};
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-private:
-  std::string folder_;
+  ReportEclipses() : CommandLineTest("vesper-report", "eclipses") {}
 };
 
 constexpr const char* burgos = " --latitude 42.3439 --longitude -3.6969 --height 860";
 
 TEST_F(ReportEclipses, LunarOnesOfAYear) {
-  const CommandResult result = eclipses(std::string("--from 2026 --to 2026 --kind lunar") + burgos);
+  const CommandResult result = run(std::string("--from 2026 --to 2026 --kind lunar") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_TRUE(result.out.starts_with("greatest,type,gamma,umbral_magnitude,penumbral_magnitude,P1,U1,U2,U3,U4,P4,"
                                      "moon_altitude_deg\n"))
       << result.out;
-  const CsvTable out = table(result.out);
+  const CsvTable out = table_of(result);
   ASSERT_EQ(out.row_count(), 2U);
   EXPECT_EQ(out.cell(0, 1), "total");
   EXPECT_TRUE(out.cell(0, 0).starts_with("2026-03-03T11:33:")) << out.cell(0, 0);
@@ -55,14 +35,13 @@ TEST_F(ReportEclipses, LunarOnesOfAYear) {
   EXPECT_TRUE(out.cell(1, out.column("U4")).ends_with("Z"));
   EXPECT_NEAR(out.number(1, out.column("umbral_magnitude")), 0.930, 0.002);
   EXPECT_GT(out.number(1, out.column("moon_altitude_deg")), 0.0);
-  const CommandResult chauvenet =
-      eclipses(std::string("--from 2026 --to 2026 --kind lunar --shadow chauvenet") + burgos);
-  const CsvTable wider = table(chauvenet.out);
+  const CommandResult chauvenet = run(std::string("--from 2026 --to 2026 --kind lunar --shadow chauvenet") + burgos);
+  const CsvTable wider = table_of(chauvenet);
   EXPECT_NEAR(wider.number(1, wider.column("umbral_magnitude")), 0.935, 0.002);
 }
 
 TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
-  const CommandResult result = eclipses(std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --json") + burgos);
+  const CommandResult result = run(std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --json") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   const json rows = json::parse(result.out);
   ASSERT_EQ(rows.size(), 1U);
@@ -74,23 +53,23 @@ TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
   EXPECT_EQ(row.at("obscuration"), 1.0);
   // It is no eclipse where the Sun is down.
   const json south =
-      json::parse(eclipses("--from 2026-08-12 --to 2026-08-12 --kind solar --json --latitude -40 --longitude 175").out);
+      json::parse(run("--from 2026-08-12 --to 2026-08-12 --kind solar --json --latitude -40 --longitude 175").out);
   EXPECT_EQ(south.at(0).at("local_type"), "none");
   EXPECT_TRUE(south.at(0).at("max").is_null());
 }
 
 TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
-  const CommandResult years = eclipses(std::string("--from 2026 --to 2030 --kind solar") + burgos);
+  const CommandResult years = run(std::string("--from 2026 --to 2030 --kind solar") + burgos);
   ASSERT_EQ(years.status, 0) << years.err;
   EXPECT_NE(years.err.find("UT1"), std::string::npos) << years.err;
-  const CsvTable out = table(years.out);
+  const CsvTable out = table_of(years);
   ASSERT_EQ(out.row_count(), 12U);
   EXPECT_TRUE(out.cell(11, 0).starts_with("2030-11-25")) << out.cell(11, 0);
   EXPECT_TRUE(out.cell(11, 0).ends_with(" UT1"));
-  const CommandResult none = eclipses(std::string("--from 2026-04-01 --to 2026-04-30 --kind solar") + burgos);
+  const CommandResult none = run(std::string("--from 2026-04-01 --to 2026-04-30 --kind solar") + burgos);
   EXPECT_EQ(none.status, 0);
-  EXPECT_EQ(table(none.out).row_count(), 0U);
-  EXPECT_EQ(json::parse(eclipses(std::string("--from 2026-04-01 --to 2026-04-30 --kind lunar --json") + burgos).out),
+  EXPECT_EQ(table_of(none).row_count(), 0U);
+  EXPECT_EQ(json::parse(run(std::string("--from 2026-04-01 --to 2026-04-30 --kind lunar --json") + burgos).out),
             json::array());
 }
 
@@ -111,7 +90,7 @@ TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
            Case{"--from=-4713 --to 2025 --kind lunar", "years -4712 to 9999"},
            Case{"--from 2026 --to 2030 --kind lunar --batch x.csv", "takes no --batch"},
        }) {
-    const CommandResult result = eclipses(std::string(c.arguments) + burgos + " -o " + path("out.csv"));
+    const CommandResult result = run(std::string(c.arguments) + burgos + " -o " + path("out.csv"));
     EXPECT_EQ(result.status, 2) << c.arguments << result.err;
     EXPECT_NE(result.err.find(c.expected), std::string::npos) << result.err;
     EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << c.arguments;
@@ -120,10 +99,10 @@ TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
 
 TEST_F(ReportEclipses, WritesToAFile) {
   const std::string options = std::string("--from 2026 --to 2026 --kind lunar") + burgos;
-  const CommandResult result = eclipses(options + " -o " + path("out.csv"));
+  const CommandResult result = run(options + " -o " + path("out.csv"));
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(test::text_of(path("out.csv")), eclipses(options).out);
+  EXPECT_EQ(text("out.csv"), run(options).out);
 }
 
 } // namespace
