@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/ephemeris.hpp"
+#include "vesper/base/polynomial.hpp"
 #include "vesper/base/vector.hpp"
 
 #include <cmath>
@@ -16,15 +17,6 @@ struct Moving {
   double value = 0.0;
   double rate = 0.0;
 };
-
-/// c[0] + c[1] x + c[2] x^2 + ...
-template <std::size_t N> constexpr double polynomial(const double (&c)[N], double x) {
-  double sum = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) {
-    sum = c[i] + x * sum;
-  }
-  return sum;
-}
 
 struct CosSin {
   double cos = 1.0;
