@@ -8,7 +8,6 @@
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/star_place.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -1,10 +1,13 @@
 #include "vesper/astro/lunar_eclipse.hpp"
 
 #include "vesper/astro/constants.hpp"
+#include "vesper/astro/crossings.hpp"
 #include "vesper/astro/eclipse_search.hpp"
 #include "vesper/astro/spherical.hpp"
+#include "vesper/astro/syzygy.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vesper {

@@ -1,9 +1,11 @@
 #include "vesper/astro/solar_eclipse.hpp"
 
 #include "vesper/astro/constants.hpp"
+#include "vesper/astro/crossings.hpp"
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/eclipse_search.hpp"
 #include "vesper/astro/spherical.hpp"
+#include "vesper/astro/syzygy.hpp"
 #include "vesper/base/shader_math.hpp"
 
 #include <cmath>

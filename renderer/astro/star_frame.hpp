@@ -24,7 +24,8 @@ struct StarFrame {
 };
 
 /// \param tier `cheap` gives Mueller et al. 2012 eq. 7 and 8: precession only, mean sidereal time, no proper motion,
-///        parallax, aberration, nutation or deflection. Others give the complete chain from earth_state().
+///        parallax, aberration, nutation or deflection. Others give the complete chain from earth_state(), whose errors
+///        they throw.
 [[nodiscard]] StarFrame star_frame(const Instant& instant, const Observer& observer, Tier tier = Tier::standard);
 
 /// The complete chain from a state at hand.

@@ -6,6 +6,7 @@
 #include <erfa.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
