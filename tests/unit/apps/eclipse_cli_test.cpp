@@ -12,14 +12,14 @@ namespace {
 using nlohmann::json;
 using test::CommandResult;
 
-class ReportEclipses : public test::CommandLineTest {
+class EclipseCli : public test::CommandLineTest {
 protected:
-  ReportEclipses() : CommandLineTest("vesper-report", "eclipses") {}
+  EclipseCli() : CommandLineTest("vesper-report", "eclipses") {}
 };
 
 constexpr const char* burgos = " --latitude 42.3439 --longitude -3.6969 --height 860";
 
-TEST_F(ReportEclipses, LunarOnesOfAYear) {
+TEST_F(EclipseCli, LunarOnesOfAYear) {
   const CommandResult result = run(std::string("--from 2026 --to 2026 --kind lunar") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
@@ -40,7 +40,7 @@ TEST_F(ReportEclipses, LunarOnesOfAYear) {
   EXPECT_NEAR(wider.number(1, wider.column("umbral_magnitude")), 0.935, 0.002);
 }
 
-TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
+TEST_F(EclipseCli, SolarOnesWithThePlacesOwnTimes) {
   const CommandResult result = run(std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --json") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   const json rows = json::parse(result.out);
@@ -58,7 +58,7 @@ TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
   EXPECT_TRUE(south.at(0).at("max").is_null());
 }
 
-TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
+TEST_F(EclipseCli, SpansIncludeTheirLastYearAndMayBeEmpty) {
   const CommandResult years = run(std::string("--from 2026 --to 2030 --kind solar") + burgos);
   ASSERT_EQ(years.status, 0) << years.err;
   EXPECT_NE(years.err.find("UT1"), std::string::npos) << years.err;
@@ -73,7 +73,7 @@ TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
             json::array());
 }
 
-TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
+TEST_F(EclipseCli, FaultsNameTheOptionAndWriteNothing) {
   struct Case {
     const char* arguments;
     const char* expected;
@@ -97,7 +97,7 @@ TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
   }
 }
 
-TEST_F(ReportEclipses, WritesToAFile) {
+TEST_F(EclipseCli, WritesToAFile) {
   const std::string options = std::string("--from 2026 --to 2026 --kind lunar") + burgos;
   const CommandResult result = run(options + " -o " + path("out.csv"));
   EXPECT_EQ(result.status, 0) << result.err;
