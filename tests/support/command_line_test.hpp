@@ -1,13 +1,13 @@
 // A program as a person uses it: what it prints, writes and returns.
 #pragma once
 
+#include "support/folder_test.hpp"
+
 #include "vesper/base/csv.hpp"
-#include "vesper/base/files.hpp"
 
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,44 +24,25 @@ struct CommandResult {
 };
 
 /// Runs one program of VESPER_BIN, each test in a folder of its own and without the user's settings.
-class CommandLineTest : public testing::Test {
+class CommandLineTest : public FolderTest {
 protected:
   /// \param command comes before all arguments
   explicit CommandLineTest(const std::string& program, std::string command = "")
       : program_("'" VESPER_BIN "/" + program + "'"), command_(std::move(command)) {}
 
-  void SetUp() override {
-    const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("vesper_") + test.test_suite_name() + "_" + test.name() + "_" + std::to_string(::getpid()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] std::string text(const std::string& name) const {
-    const Bytes bytes = read_file(folder_ / name);
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
   [[nodiscard]] CsvTable table(const std::string& name) const { return {read_file(path(name)), name}; }
   /// What a program printed as CSV.
   [[nodiscard]] CsvTable table_of(const CommandResult& result) const {
     write("table.csv", result.out);
     return table("table.csv");
   }
-  std::string write(const std::string& name, const std::string& text) const { // NOLINT(modernize-use-nodiscard)
-    write_file_atomically(folder_ / name, text);
-    return path(name);
-  }
 
   /// Runs the program in its folder with these arguments, after `before` in the same shell.
   [[nodiscard]] CommandResult run(const std::string& arguments, const std::string& before = ":") const {
     // What it prints is kept outside of the folder, so that a test can look at all that was written there.
-    const std::string out = folder_.string() + ".out";
-    const std::string err = folder_.string() + ".err";
-    const std::string line = "cd '" + folder_.string() + "' && export XDG_CONFIG_HOME=\"$PWD\" && (" + before +
+    const std::string out = folder().string() + ".out";
+    const std::string err = folder().string() + ".err";
+    const std::string line = "cd '" + folder().string() + "' && export XDG_CONFIG_HOME=\"$PWD\" && (" + before +
                              " && exec " + program_ + " " + command_ + " " + arguments + ") >'" + out + "' 2>'" + err +
                              "'";
     const int status = std::system(line.c_str()); // NOLINT(cert-env33-c,concurrency-mt-unsafe)
@@ -75,7 +56,7 @@ protected:
   void expect_failure(int status, const std::string& arguments, const std::vector<std::string>& words,
                       const std::string& before = ":") const {
     const auto files = [&] {
-      return std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator());
+      return std::distance(std::filesystem::directory_iterator(folder()), std::filesystem::directory_iterator());
     };
     const auto count = files();
     const CommandResult result = run(arguments, before);
@@ -89,7 +70,6 @@ protected:
 
 private:
   std::string program_, command_;
-  std::filesystem::path folder_;
 };
 
 } // namespace vesper::test
