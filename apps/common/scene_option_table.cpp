@@ -1,37 +1,14 @@
 #include "common/scene_option_table.hpp"
 
+#include "common/option_text.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace vesper {
 namespace {
-
-template <class Number> std::optional<Number> parse_number(std::string_view text) {
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') {
-    text.remove_prefix(1);
-  }
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(value)) {
-      return std::nullopt;
-    }
-  }
-  return value;
-}
-
-/// The number, if it is one and lies in [lowest, highest].
-std::optional<double> number_within(std::string_view text, double lowest, double highest) {
-  const std::optional<double> value = parse_number<double>(text);
-  return value && *value >= lowest && *value <= highest ? value : std::nullopt;
-}
 
 std::string join(std::span<const std::string_view> names) { return fmt::format("{}", fmt::join(names, ", ")); }
 
@@ -206,14 +183,12 @@ std::string apply_tier(std::string_view text, SceneOptions& scene) {
 
 std::string apply_layers(std::string_view text, SceneOptions& scene) {
   LayerSet layers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto layer = layer_from_name(text.substr(begin, end - begin));
+  for (const std::string_view name : list_items(text)) {
+    const auto layer = layer_from_name(name);
     if (!layer) {
       return "a comma-separated list of " + join(layer_names());
     }
     layers.set(static_cast<std::size_t>(*layer));
-    begin = end + 1;
   }
   scene.layers = layers;
   return "";

@@ -102,9 +102,7 @@ SceneOptions SceneOptionSet::resolve(Assumptions assumptions) const {
 }
 
 Refraction refraction_of(const SceneOptions& scene) {
-  Refraction refraction;
-  refraction.model = scene.tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced;
-  refraction.conditions = standard_conditions(scene.observer.height);
+  Refraction refraction = standard_refraction(scene.observer.height, scene.tier);
   refraction.conditions.pressure_hpa = scene.pressure_hpa.value_or(refraction.conditions.pressure_hpa);
   refraction.conditions.temperature_c = scene.temperature_c.value_or(refraction.conditions.temperature_c);
   return refraction;

@@ -74,7 +74,7 @@ Instant instant_of_row(const CsvTable& input, std::size_t row, const InputColumn
   const SplitDate tt = julian_date(input, row, *columns.jd_tt);
   const SplitDate ut1 = julian_date(input, row, *columns.jd_ut1);
   Instant instant = instant_from({tt.day, tt.fraction}, {ut1.day, ut1.fraction});
-  constexpr double most_delta_t_s = 3.0 * 86400.0; // reached about the years -6000 and 11000
+  constexpr double most_delta_t_s = 3.0 * seconds_per_day; // reached about the years -6000 and 11000
   if (std::abs(instant.delta_t_s) > most_delta_t_s) {
     input.fail(row, *columns.jd_ut1, "lies more than three days from jd_tt");
   }

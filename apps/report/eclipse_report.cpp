@@ -1,5 +1,7 @@
 #include "report/eclipse_report.hpp"
 
+#include "common/option_text.hpp"
+
 #include "vesper/astro/local_solar_eclipse.hpp"
 #include "vesper/astro/solar_eclipse.hpp"
 #include "vesper/base/csv.hpp"
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 namespace vesper {
@@ -150,7 +153,7 @@ Instant border(const char* option, std::string_view text, bool end, const SceneO
   const std::string date = std::string(text) + (!is_year ? "" : end ? "-12-31" : "-01-01");
   try {
     Instant instant = parse_instant(date, scene.time_scale, scene.calendar);
-    return end && (is_year || is_date) ? later(instant, 86400.0) : instant;
+    return end && (is_year || is_date) ? later(instant, seconds_per_day) : instant;
   } catch (const Error& e) {
     throw Error(ErrorKind::argument,
                 fmt::format("{}: '{}' is not allowed: {}; allowed: {}", option, text, e.message(), allowed));
@@ -163,20 +166,20 @@ EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, s
                                std::string_view to, const SceneOptions& scene) {
   EclipseRequest request;
   if (kind != "lunar" && kind != "solar") {
-    throw Error(ErrorKind::argument, kind.empty()
-                                         ? std::string("eclipses: --kind is missing; allowed: lunar, solar")
-                                         : fmt::format("--kind: '{}' is not allowed; allowed: lunar, solar", kind));
+    if (kind.empty()) {
+      throw Error(ErrorKind::argument, "eclipses: --kind is missing; allowed: lunar, solar");
+    }
+    refuse_option("--kind", kind, "lunar, solar");
   }
   request.kind = kind == "lunar" ? EclipseKind::lunar : EclipseKind::solar;
   if (shadow != "danjon" && shadow != "chauvenet") {
-    throw Error(ErrorKind::argument, fmt::format("--shadow: '{}' is not allowed; allowed: danjon, chauvenet", shadow));
+    refuse_option("--shadow", shadow, "danjon, chauvenet");
   }
   request.shadow = shadow == "danjon" ? ShadowModel::danjon : ShadowModel::chauvenet;
   request.from = border("--from", from, false, scene);
   request.to = border("--to", to, true, scene);
   if (request.to.tt.days_since(request.from.tt) <= 0.0) {
-    throw Error(ErrorKind::argument,
-                fmt::format("--to: '{}' is not allowed; allowed: later than --from, {}", to, from));
+    refuse_option("--to", to, fmt::format("later than --from, {}", from));
   }
   request.observer = scene.observer;
   return request;

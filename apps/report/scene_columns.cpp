@@ -1,5 +1,7 @@
 #include "report/scene_columns.hpp"
 
+#include "common/option_text.hpp"
+
 #include "vesper/base/error.hpp"
 
 #include <fmt/format.h>
@@ -49,21 +51,16 @@ std::vector<SceneColumn> select_columns(std::string_view list) {
     return {columns.begin(), columns.end()};
   }
   std::vector<SceneColumn> selected;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    const std::string_view name = list.substr(begin, end - begin);
+  for (const std::string_view name : list_items(list)) {
     const auto same_name = [&](const SceneColumn& column) { return column.name == name; };
     const auto* const found = std::find_if(columns.begin(), columns.end(), same_name);
     if (found == columns.end()) {
-      throw Error(
-          ErrorKind::argument,
-          fmt::format("--columns: '{}' is not allowed; allowed: a comma-separated list of {}", name, all_names()));
+      refuse_option("--columns", name, "a comma-separated list of " + all_names());
     }
     if (std::any_of(selected.begin(), selected.end(), same_name)) {
       throw Error(ErrorKind::argument, fmt::format("--columns: '{}' stands twice", name));
     }
     selected.push_back(*found);
-    begin = end + 1;
   }
   return selected;
 }

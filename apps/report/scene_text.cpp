@@ -3,6 +3,8 @@
 #include "report/sky_figures.hpp"
 #include "report/star_report.hpp"
 
+#include "vesper/astro/constants.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +19,6 @@ constexpr std::size_t brightest_count = 12;
 // A star lower than this drowns in the haze of the horizon; a figure should stand clear of roofs and trees.
 constexpr Angle star_lowest = 5.0 * deg;
 constexpr Angle figure_lowest = 15.0 * deg;
-// Refraction and its radius put the upper limb of the Sun or Moon on the horizon.
-constexpr Angle limb_set = -50.0 * arcmin;
 
 std::string where(Angle azimuth, Angle altitude) {
   return fmt::format("altitude {:5.1f}°, azimuth {:5.1f}° {}", altitude.to(deg), azimuth.to(deg),
@@ -119,7 +119,9 @@ std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& 
 std::string eclipse_text(const SkyState& sky) {
   const LunarEclipseState& lunar = sky.lunar_eclipse;
   const SolarEclipseState& solar = sky.solar_eclipse;
-  const auto down = [](const BodyPlace& place) { return place.altitude > limb_set ? "" : ", below the horizon"; };
+  const auto down = [](const BodyPlace& place) {
+    return place.altitude > almanac_sunrise_altitude ? "" : ", below the horizon";
+  };
   if (solar.magnitude > 0.0) {
     return fmt::format("Eclipse of the Sun: magnitude {:.3f}, {:.1f} % of the disc covered{}\n", solar.magnitude,
                        100.0 * solar.obscuration, down(sky.sun));
@@ -150,13 +152,11 @@ std::string_view compass_point(Angle azimuth) {
 }
 
 std::string_view sky_condition(Angle sun_altitude) {
-  const double altitude = sun_altitude.to(deg);
-  // At -50 arcmin refraction and the Sun's radius put its upper limb on the horizon.
-  return altitude > -50.0 / 60.0 ? "day"
-         : altitude > -6.0       ? "civil twilight"
-         : altitude > -12.0      ? "nautical twilight"
-         : altitude > -18.0      ? "astronomical twilight"
-                                 : "night";
+  return sun_altitude > almanac_sunrise_altitude ? "day"
+         : sun_altitude > -6.0 * deg             ? "civil twilight"
+         : sun_altitude > -12.0 * deg            ? "nautical twilight"
+         : sun_altitude > -18.0 * deg            ? "astronomical twilight"
+                                                 : "night";
 }
 
 std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {

@@ -2,6 +2,8 @@
 
 #include "report/sky_figures.hpp"
 
+#include "common/option_text.hpp"
+
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
 
@@ -90,15 +92,12 @@ CatalogueStar catalogue_star(const StarRecord& record) {
 
 std::vector<RequestedStar> stars_by_id(std::string_view ids, const StarCatalogue& catalogue) {
   std::vector<RequestedStar> stars;
-  for (std::size_t begin = 0; begin <= ids.size();) {
-    const std::size_t end = std::min(ids.find(',', begin), ids.size());
-    const std::string_view id = ids.substr(begin, end - begin);
+  for (const std::string_view id : list_items(ids)) {
     const std::size_t index = find_star(id, catalogue);
     // The shortest decimal form of the float, not its binary neighbour in double precision.
     const std::string magnitude = fmt::format("{}", catalogue.identities[index].magnitude);
     stars.push_back({std::string(id), catalogue_star(catalogue.stars[index]), catalogue.provenance.epoch_jyear,
                      std::stod(magnitude)});
-    begin = end + 1;
   }
   return stars;
 }

@@ -19,7 +19,4 @@ struct ApparentSunMoon {
 [[nodiscard]] ApparentSunMoon apparent_sun_moon(const SunEarthMoon& bodies, const Vec3& earth_to_observer_km = {});
 [[nodiscard]] ApparentSunMoon apparent_sun_moon(JulianDate<TT> tt, const Vec3& earth_to_observer_km = {});
 
-/// The angle between two directions of any length, rad, exact for small and for straight ones.
-[[nodiscard]] double angle_between_rad(const Vec3& a, const Vec3& b);
-
 } // namespace vesper

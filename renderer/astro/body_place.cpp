@@ -1,17 +1,19 @@
 #include "vesper/astro/body_place.hpp"
 
+#include "vesper/astro/constants.hpp"
+#include "vesper/astro/star_place.hpp"
+
 namespace vesper {
 namespace {
 
-constexpr double light_days_per_au = 499.004783836156412 / 86400.0; // IAU 2012 au over c
-constexpr double gm_sun_au3_d2 = 2.9591220828559e-4;                // the square of Gauss' constant
+constexpr double gm_sun_au3_d2 = 2.9591220828559e-4; // the square of Gauss' constant
 
 /// Where a body was, seen from a fixed point, when the light that arrives now left it. Its velocity is uniform enough
 /// over minutes; two steps settle the light time below a microsecond.
 Vec3 delayed(const Vec3& now_au, const Vec3& velocity_au_d) {
   Vec3 then = now_au;
   for (int i = 0; i < 2; ++i) {
-    then = now_au - glm::length(then) * light_days_per_au * velocity_au_d;
+    then = now_au - glm::length(then) * light_time_d_per_au * velocity_au_d;
   }
   return then;
 }
@@ -46,10 +48,14 @@ Vec3 planet_from_observer_au(Planet planet, const EarthState& earth) {
   const Vec3 acceleration = -gm_sun_au3_d2 / (sun_distance * sun_distance * sun_distance) * from_sun.position_au;
   Vec3 then = now;
   for (int i = 0; i < 3; ++i) {
-    const double light_days = glm::length(then) * light_days_per_au;
+    const double light_days = glm::length(then) * light_time_d_per_au;
     then = now - light_days * (velocity - 0.5 * light_days * acceleration);
   }
   return then;
+}
+
+Vec3 apparent_direction_icrs(const Vec3& from_observer_au, const StarFrame& frame) {
+  return f64::star_aberration(glm::normalize(from_observer_au), place_frame(frame));
 }
 
 } // namespace vesper

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/earth_state.hpp"
+#include "vesper/astro/star_frame.hpp"
 #include "vesper/base/vector.hpp"
 
 namespace vesper {
@@ -10,9 +11,13 @@ namespace vesper {
 /// aberration.
 [[nodiscard]] Vec3 sun_from_observer_au(const EarthState& earth);
 [[nodiscard]] Vec3 moon_from_observer_au(const EarthState& earth);
+[[nodiscard]] Vec3 planet_from_observer_au(Planet planet, const EarthState& earth);
 /// The same from bodies at hand and a place given from the Earth's centre (au, ICRS axes).
 [[nodiscard]] Vec3 sun_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au);
 [[nodiscard]] Vec3 moon_from_observer_au(const SunEarthMoon& bodies, const Vec3& earth_to_observer_au);
-[[nodiscard]] Vec3 planet_from_observer_au(Planet planet, const EarthState& earth);
+
+/// Where an observer who moves as `frame` has it sees a body of the solar system: such a vector with aberration, a unit
+/// vector along ICRS axes.
+[[nodiscard]] Vec3 apparent_direction_icrs(const Vec3& from_observer_au, const StarFrame& frame);
 
 } // namespace vesper

@@ -11,24 +11,21 @@ namespace {
 constexpr auto observed_s = std::to_array<double>({
 #include "vesper/astro/delta_t_observed.inl"
 });
-constexpr int observed_first_year = 1973;
-constexpr int observed_first_month = 2;
+constexpr double observed_begin_jd = 2441714.5; // 1973-02-01
 constexpr double days_per_month = 365.2425 / 12.0;
 
-/// Julian date of 0h on the first day of a month after the first observed one (Fliegel and van Flandern 1968).
-constexpr double month_jd(int months_after_first) {
-  const int month_index = observed_first_month - 1 + months_after_first;
-  const int year = observed_first_year + month_index / 12;
-  const int month = month_index % 12 + 1;
-  const int a = (month - 14) / 12;
-  const int number =
-      1461 * (year + 4800 + a) / 4 + 367 * (month - 2 - 12 * a) / 12 - 3 * ((year + 4900 + a) / 100) / 4 + 1 - 32075;
-  return number - 0.5;
+/// Julian date of 0h on the first day of a month, counted from February 1973.
+double month_jd(int months) {
+  const int since_january = months + 1;
+  return midnight_jd({1973 + since_january / 12, since_january % 12 + 1, 1}, Calendar::gregorian);
 }
-static_assert(month_jd(0) == 2441714.5 && month_jd(323) == 2451544.5);
 
-constexpr double observed_begin_jd = month_jd(0);
-constexpr double observed_end_jd = month_jd(static_cast<int>(observed_s.size()) - 1);
+double observed_end_jd() {
+  static const double jd = month_jd(static_cast<int>(observed_s.size()) - 1);
+  return jd;
+}
+
+bool is_observed(double jd) { return jd >= observed_begin_jd && jd <= observed_end_jd(); }
 
 double observed(double jd) {
   const int last_interval = static_cast<int>(observed_s.size()) - 2;
@@ -100,7 +97,7 @@ double evaluate(const Spline& s, double year) {
 }
 
 /// The paper's years are Julian years that agree with the calendar's at year 0.
-double year_of(double jd) { return (jd - 1721045.0) / 365.25; }
+double year_of(double jd) { return (jd - 1721045.0) / days_per_julian_year; }
 
 double historic(double year) {
   const auto* const after = std::upper_bound(splines.begin(), splines.end(), year,
@@ -121,7 +118,7 @@ double long_term(double year) {
   constexpr double periodic_ms = 3.5;
   constexpr double period_cy = 14.0;
   constexpr double phase_cy = 0.75;
-  constexpr double s_per_ms_day = 36525.0 / 1000.0; // seconds that 1 ms a day adds up to in a century
+  constexpr double s_per_ms_day = days_per_julian_century / 1000.0; // seconds that 1 ms a day adds up to in a century
   const double t = (year - 1825.0) / 100.0;
   const double frequency = 2.0 * std::numbers::pi / period_cy;
   return s_per_ms_day * (0.5 * linear_ms * t * t + periodic_ms / frequency * std::cos(frequency * (t + phase_cy)));
@@ -150,12 +147,12 @@ constexpr std::array uncertainties{
 double delta_t_uncertainty_s(JulianDate<TT> tt) {
   constexpr double observed_error_s = 0.01;
   const double jd = tt.value();
-  if (jd >= observed_begin_jd && jd <= observed_end_jd) {
+  if (is_observed(jd)) {
     return observed_error_s;
   }
   const double year = year_of(jd);
   // Huber 2000 (Brownian motion of the length of day), for predictions of some decades.
-  const double lead_years = year - year_of(observed_end_jd);
+  const double lead_years = year - year_of(observed_end_jd());
   const double huber_s =
       0.36525 * lead_years * std::sqrt(std::max(lead_years, 0.0) * 0.058 / 3.0 * (1.0 + lead_years / 2500.0));
   const auto grown = [year](const Uncertainty& from) {
@@ -178,12 +175,12 @@ double delta_t_uncertainty_s(JulianDate<TT> tt) {
 
 double delta_t_s(JulianDate<TT> tt) {
   const double jd = tt.value();
-  if (jd >= observed_begin_jd && jd <= observed_end_jd) {
+  if (is_observed(jd)) {
     return observed(jd);
   }
   const double year = year_of(jd);
-  if (jd > observed_end_jd) {
-    return observed_s.back() + long_term(year) - long_term(year_of(observed_end_jd));
+  if (jd > observed_end_jd()) {
+    return observed_s.back() + long_term(year) - long_term(year_of(observed_end_jd()));
   }
   if (year < splines.front().year0) {
     return splines.front().a0 + long_term(year) - long_term(splines.front().year0);

@@ -1,6 +1,7 @@
 #include "vesper/astro/earth_state.hpp"
 
 #include "vesper/astro/ephemeris_table.hpp"
+#include "vesper/astro/erfa_arrays.hpp"
 #include "vesper/astro/nutation_series.hpp"
 #include "vesper/astro/precession.hpp"
 
@@ -12,19 +13,6 @@ namespace vesper {
 namespace {
 
 using Rows = double[3][3];
-
-/// ERFA's matrices are arrays of rows.
-Mat3 matrix_of(const Rows& rows) {
-  Mat3 m;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      m[column][row] = rows[row][column];
-    }
-  }
-  return m;
-}
-
-Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 /// The Earth's axes in space at one instant.
 struct Orientation {
@@ -90,7 +78,6 @@ EarthState earth_state(const Instant& instant, const Observer& observer, Tier ti
   eraPvtob(observer.longitude.to(rad), observer.latitude.to(rad), observer.height.to(metre), 0.0, 0.0, 0.0, sidereal,
            diurnal);
   constexpr double au_m = astronomical_unit.to(metre);
-  constexpr double seconds_per_day = 86400.0;
   const Mat3 icrs_from_equator_of_date = glm::transpose(state.equator_of_date_from_icrs);
   state.earth_to_observer_au = icrs_from_equator_of_date * (vector_of(diurnal[0]) / au_m);
   state.observer_velocity_au_d = icrs_from_equator_of_date * (vector_of(diurnal[1]) * (seconds_per_day / au_m));

@@ -1,5 +1,8 @@
 #include "vesper/astro/ephemeris_cheap.hpp"
 
+#include "vesper/astro/erfa_arrays.hpp"
+#include "vesper/astro/rotation.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/astro/star_frame.hpp"
 
 #include <erfa.h>
@@ -10,26 +13,18 @@
 namespace vesper {
 namespace {
 
-constexpr JulianDate<TDB> j2000{2451545.0, 0.0};
-constexpr double days_per_century = 36525.0;
-
 /// Mean ecliptic and equinox of date, au.
 struct SunAndMoon {
   Vec3 sun;
   Vec3 moon;
 };
 
-Vec3 cartesian(double longitude, double latitude, double distance) {
-  const double in_plane = distance * std::cos(latitude);
-  return {in_plane * std::cos(longitude), in_plane * std::sin(longitude), distance * std::sin(latitude)};
-}
-
 Vec3 sun_geocentric(double t) {
   const double m = 6.24 + 628.302 * t;
   const double longitude =
       4.895048 + 628.331951 * t + (0.033417 - 0.000084 * t) * std::sin(m) + 0.000351 * std::sin(2.0 * m);
   const double distance = 1.000140 - (0.016708 - 0.000042 * t) * std::cos(m) - 0.000141 * std::cos(2.0 * m);
-  return cartesian(longitude, 0.0, distance);
+  return distance * unit_vector(longitude, 0.0);
 }
 
 Vec3 moon_geocentric(double t) {
@@ -58,17 +53,14 @@ Vec3 moon_geocentric(double t) {
   const double parallax = 0.016593 + 0.000904 * anomaly.real() + 0.000166 * evection.real() + 0.000137 * twice.real() +
                           0.000049 * (anomaly * anomaly).real() + 0.000015 * onward.real() + 0.000009 * annual.real();
   constexpr double earth_radii_per_au = 23455.0;
-  return cartesian(longitude, latitude, 1.0 / (earth_radii_per_au * parallax));
+  return 1.0 / (earth_radii_per_au * parallax) * unit_vector(longitude, latitude);
 }
 
 /// Obliquity 0.409093 - 0.000227 t (Jensen et al. 2001), then precession backwards.
 SunAndMoon sun_and_moon_icrs(JulianDate<TDB> tdb) {
-  const double t = tdb.days_since(j2000) / days_per_century;
+  const double t = centuries_since_j2000(tdb);
   const double obliquity = 0.409093 - 0.000227 * t;
-  const double c = std::cos(obliquity);
-  const double s = std::sin(obliquity);
-  const Mat3 equator_from_ecliptic(1.0, 0.0, 0.0, 0.0, c, s, 0.0, -s, c);
-  const Mat3 icrs_from_ecliptic = glm::transpose(cheap_equator_of_date_from_icrs(t)) * equator_from_ecliptic;
+  const Mat3 icrs_from_ecliptic = glm::transpose(cheap_equator_of_date_from_icrs(t)) * turn_x(obliquity);
   return {icrs_from_ecliptic * sun_geocentric(t), icrs_from_ecliptic * moon_geocentric(t)};
 }
 
@@ -90,7 +82,7 @@ StateVector planet_heliocentric_cheap(Planet planet, JulianDate<TDB> tdb) {
   constexpr int erfa_numbers[planet_count] = {1, 2, 4, 5, 6, 7, 8};
   double pv[2][3];
   eraPlan94(tdb.day, tdb.fraction, erfa_numbers[static_cast<int>(planet)], pv);
-  return {{pv[0][0], pv[0][1], pv[0][2]}, {pv[1][0], pv[1][1], pv[1][2]}};
+  return {vector_of(pv[0]), vector_of(pv[1])};
 }
 
 } // namespace vesper

@@ -9,8 +9,7 @@
 namespace vesper {
 namespace {
 
-constexpr JulianDate<TDB> j2000{2451545.0, 0.0};
-constexpr double days_per_millennium = 365250.0;
+constexpr double days_per_millennium = 10.0 * days_per_julian_century;
 
 struct PlanetaryTerm {
   double amplitude;
@@ -52,7 +51,7 @@ constexpr Mat3 icrs_from_vsop87(1.0, -0.000000384458, -0.000000059632,          
                                 -0.000000098217, -0.397776982902, 0.917482137087);
 
 StateVector heliocentric(std::size_t theory, JulianDate<TDB> tdb, double least_amplitude = 0.0) {
-  const double t = tdb.days_since(j2000) / days_per_millennium;
+  const double t = tdb.days_since(j2000<TDB>) / days_per_millennium;
   const PlanetaryTerm* term = planet_terms + first_terms[theory];
   const auto& counts = planet_term_counts[theory];
   const Moving longitude = harmonic_sum(term, counts[0], t, least_amplitude);

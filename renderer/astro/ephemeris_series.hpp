@@ -11,10 +11,9 @@ namespace vesper {
 ///
 /// Against JPL ephemerides from 1900 to 2100: Moon 0.7 arcsec and 1 km worst, Sun 0.05 arcsec and 15 km. Errors grow
 /// with the distance from 2000:
-/// - Moon: with its tidal acceleration, known to about 0.05 arcsec per century squared (0.2 arcsec in 1800, 20 arcsec
-/// in
-///   the year 0, 2 arcmin in -3000), and beyond -3000 and +3000 with the polynomials of its mean arguments: eraMoon98,
-///   of another generation of the theory, leaves it by 3 arcmin in -3000, 6 arcmin in -4712, 20 arcmin in 9999.
+/// - Moon: with its tidal acceleration, known to about 0.05 arcsec per century squared (0.2 arcsec in 1800, 20 in the
+///   year 0, 2 arcmin in -3000), and beyond -3000 and +3000 with the polynomials of its mean arguments: eraMoon98, of
+///   another generation of the theory, leaves it by 3 arcmin in -3000, 6 arcmin in -4712, 20 arcmin in 9999.
 /// - Sun: 0.2 arcsec in 1600 and 2400 against eraEpv00, about 1 arcsec over 4000 years around 2000 (the VSOP87 paper),
 ///   perhaps 10 arcsec at -4712 and 9999.
 ///

@@ -35,9 +35,9 @@ struct LunarAngles {
 /// (km or rad) times the integer.
 ///
 /// Worst errors against DE405 and ERFA stand in data/README.md: Moon 2 m, Sun and Earth 0.3 km, planets 0.001" as seen
-/// from the Earth, nutation 0.00002", the Moon's axes 0.05". DE405 itself, seen
-/// from the Earth, is within 0.02" (Sun, Moon, inner planets), 0.2" (Jupiter, Saturn), 0.5" (Uranus) and 1.5" (Neptune)
-/// of DE431; its axes are the ICRS's within 0.001".
+/// from the Earth, nutation 0.00002", the Moon's axes 0.05". DE405 itself, seen from the Earth, is within 0.02" (Sun,
+/// Moon, inner planets), 0.2" (Jupiter, Saturn), 0.5" (Uranus) and 1.5" (Neptune) of DE431; its axes are the ICRS's
+/// within 0.001".
 ///
 /// Evaluation changes nothing and allocates nothing: any number of threads may share a table. Each function gives
 /// nothing outside the span and for dates that are not numbers.

@@ -1,28 +1,25 @@
 #include "vesper/astro/frames.hpp"
 
+#include "vesper/astro/erfa_arrays.hpp"
 #include "vesper/astro/precession.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/astro/star_frame.hpp"
 
 #include <erfa.h>
 
-#include <cmath>
+#include <numbers>
 
 namespace vesper {
 namespace {
 
-/// ERFA's matrices are arrays of rows.
-template <class Fill> Mat3 erfa_matrix(Fill fill) {
-  double rows[3][3];
-  fill(rows);
-  return glm::transpose(
-      Mat3(rows[0][0], rows[0][1], rows[0][2], rows[1][0], rows[1][1], rows[1][2], rows[2][0], rows[2][1], rows[2][2]));
-}
-
 Mat3 mean_ecliptic_from_icrs(JulianDate<TT> tt) {
+  double rows[3][3];
   if (is_long_term(tt)) {
-    return erfa_matrix([&](auto& rows) { eraLtecm(eraEpj(tt.day, tt.fraction), rows); });
+    eraLtecm(eraEpj(tt.day, tt.fraction), rows);
+  } else {
+    eraEcm06(tt.day, tt.fraction, rows);
   }
-  return erfa_matrix([&](auto& rows) { eraEcm06(tt.day, tt.fraction, rows); });
+  return matrix_of(rows);
 }
 
 /// The ecliptic of date with its longitudes counted from the true equinox, where it crosses the true equator.
@@ -35,15 +32,14 @@ Mat3 true_ecliptic_from_icrs(const EarthState& earth) {
 
 Mat3 galactic_from_icrs() {
   // Longitude and latitude of each ICRS axis give the columns.
-  constexpr double quarter_turn = 1.5707963267948966;
+  constexpr double quarter_turn = 0.5 * std::numbers::pi;
   const double axes[3][2] = {{0.0, 0.0}, {quarter_turn, 0.0}, {0.0, quarter_turn}};
   Mat3 galactic;
   for (int i = 0; i < 3; ++i) {
     double longitude = 0.0;
     double latitude = 0.0;
     eraIcrs2g(axes[i][0], axes[i][1], &longitude, &latitude);
-    galactic[i] = {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude),
-                   std::sin(latitude)};
+    galactic[i] = unit_vector(longitude, latitude);
   }
   return galactic;
 }
@@ -60,7 +56,7 @@ Mat3 frame_from_icrs(CelestialFrame frame, const EarthState& earth) {
   case CelestialFrame::ecliptic_of_date:
     return true_ecliptic_from_icrs(earth);
   case CelestialFrame::ecliptic_j2000:
-    return mean_ecliptic_from_icrs({2451545.0, 0.0});
+    return mean_ecliptic_from_icrs(j2000<TT>);
   case CelestialFrame::galactic: {
     static const Mat3 galactic = galactic_from_icrs();
     return galactic;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/ephemeris.hpp"
+#include "vesper/base/polynomial.hpp"
 #include "vesper/base/vector.hpp"
 
 #include <algorithm>
@@ -16,15 +17,6 @@ struct Moving {
   double value = 0.0;
   double rate = 0.0;
 };
-
-/// c[0] + c[1] x + c[2] x^2 + ...
-template <class Number, std::size_t N> constexpr Number polynomial(const double (&c)[N], Number x) {
-  Number sum = c[N - 1] + Number{};
-  for (std::size_t i = N - 1; i-- > 0;) {
-    sum = c[i] + x * sum;
-  }
-  return sum;
-}
 
 /// Terms are summed two at a time, in the vectors that every 64-bit processor has (an extension of GCC and Clang).
 inline constexpr std::size_t lane_count = 2;

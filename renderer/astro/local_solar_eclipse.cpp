@@ -1,18 +1,19 @@
 #include "vesper/astro/local_solar_eclipse.hpp"
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/crossings.hpp"
 #include "vesper/astro/earth_state.hpp"
+#include "vesper/astro/rotation.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/star_place.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace vesper {
 namespace {
 
-constexpr double seconds_per_day = 86400.0;
 // Of the Earth-fixed axes against the true equinox, over UT1 (IAU 2000 Earth rotation angle).
 constexpr double rotation_rad_s = 2.0 * std::numbers::pi * 1.00273781191135448 / seconds_per_day;
 
@@ -27,10 +28,8 @@ public:
   /// Along equatorial axes of date.
   [[nodiscard]] ApparentSunMoon seen(double seconds) const {
     const Mat3& equator_from_icrs = earth_.equator_of_date_from_icrs;
-    const Vec3 start = equator_from_icrs * earth_.earth_to_observer_au * astronomical_unit.to(kilometre);
-    const double c = std::cos(rotation_rad_s * seconds);
-    const double s = std::sin(rotation_rad_s * seconds);
-    const Vec3 place_km(c * start.x - s * start.y, s * start.x + c * start.y, start.z);
+    const Vec3 start_km = equator_from_icrs * earth_.earth_to_observer_au * astronomical_unit.to(kilometre);
+    const Vec3 place_km = turn_z(rotation_rad_s * seconds) * start_km;
     const ApparentSunMoon icrs = apparent_sun_moon(earth_.instant.tt.plus_days(seconds / seconds_per_day),
                                                    glm::transpose(equator_from_icrs) * place_km);
     return {equator_from_icrs * icrs.sun_km, equator_from_icrs * icrs.moon_km};
@@ -72,20 +71,11 @@ double least_separation(const Sky& sky) {
   return minimum_near(squared, best, step_s, last_step_s);
 }
 
-/// Of the Moon at the Sun, equatorial axes, rad in [0, 2 pi).
-double position_angle_rad(const ApparentSunMoon& seen) {
-  const Vec3 sun = glm::normalize(seen.sun_km);
-  const Vec3 east = glm::cross(Vec3(0.0, 0.0, 1.0), sun);
-  const double angle = std::atan2(glm::dot(seen.moon_km, east), glm::dot(seen.moon_km, glm::cross(sun, east)));
-  return angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
-}
-
 bool sun_up_between(const Sky& sky, double begin, double end) {
-  constexpr Angle rising = -50.0 * arcmin;
   // A few minutes apart: what a step could miss is a Sun that grazes the horizon from below.
   constexpr int steps = 30;
   for (int i = 0; i <= steps; ++i) {
-    if (sky.moment(std::lerp(begin, end, static_cast<double>(i) / steps)).sun_altitude > rising) {
+    if (sky.moment(std::lerp(begin, end, static_cast<double>(i) / steps)).sun_altitude > almanac_sunrise_altitude) {
       return true;
     }
   }
@@ -101,7 +91,8 @@ LocalSolarEclipse local_solar_eclipse(const Instant& greatest, const Observer& o
   local.maximum = sky.moment(maximum);
   local.state = sky.state(maximum);
   local.ratio = local.state.moon_semidiameter / local.state.sun_semidiameter;
-  local.position_angle = position_angle_rad(sky.seen(maximum)) * rad;
+  const ApparentSunMoon seen = sky.seen(maximum);
+  local.position_angle = position_angle(glm::normalize(seen.sun_km), glm::normalize(seen.moon_km));
   if (local.state.magnitude <= 0.0) {
     return local;
   }

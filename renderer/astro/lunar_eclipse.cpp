@@ -1,17 +1,20 @@
 #include "vesper/astro/lunar_eclipse.hpp"
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/crossings.hpp"
-#include "vesper/astro/eclipse_constants.hpp"
+#include "vesper/astro/eclipse_search.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/astro/syzygy.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace vesper {
 namespace {
 
 constexpr double danjon_enlargement = 1.01;
-constexpr double seconds_per_day = 86400.0;
+constexpr double sun_radius_km = sun_radius.to(kilometre);
 
 /// Umbral and penumbral radii, rad.
 Vec2 shadow_radii_rad(double moon_parallax, double sun_parallax, double sun_semidiameter, ShadowModel model) {
@@ -31,16 +34,14 @@ public:
   }
   [[nodiscard]] LunarEclipseState state(double seconds) const { return lunar_eclipse_state(seen(seconds), model_); }
 
-  /// Seconds of the least distance from the axis, in length as catalogues have it, near `guess`.
-  [[nodiscard]] double greatest(double guess) const {
+  /// Seconds of the least distance from the axis, in length as catalogues have it.
+  [[nodiscard]] double greatest(int lunation) const {
     const auto squared_distance = [&](double seconds) {
       const ApparentSunMoon now = seen(seconds);
       const Vec3 off_km = glm::cross(glm::normalize(now.sun_km), now.moon_km);
       return glm::dot(off_km, off_km);
     };
-    constexpr double first_step_s = 6.0 * 3600.0;
-    constexpr double last_step_s = 120.0;
-    return minimum_near(squared_distance, guess, first_step_s, last_step_s);
+    return nearest_pass(squared_distance, Syzygy::full_moon, lunation, origin_.tt);
   }
 
 private:
@@ -74,9 +75,9 @@ LunarEclipseType type_of(double umbral_magnitude, double penumbral_magnitude) {
                                       : LunarEclipseType::none;
 }
 
-/// \param guess seconds of the mean full Moon
-LunarEclipse eclipse_of(const ShadowPass& pass, double guess) {
-  const double greatest = pass.greatest(guess);
+LunarEclipse eclipse_of_lunation(const Instant& origin, int lunation, ShadowModel model) {
+  const ShadowPass pass(origin, model);
+  const double greatest = pass.greatest(lunation);
   const LunarEclipseState state = pass.state(greatest);
   LunarEclipse eclipse;
   eclipse.greatest = pass.instant(greatest);
@@ -103,11 +104,6 @@ LunarEclipse eclipse_of(const ShadowPass& pass, double guess) {
   return eclipse;
 }
 
-LunarEclipse eclipse_of_lunation(const Instant& origin, int lunation, ShadowModel model) {
-  const double guess = mean_syzygy(Syzygy::full_moon, lunation).days_since(origin.tt) * seconds_per_day;
-  return eclipse_of(ShadowPass(origin, model), guess);
-}
-
 } // namespace
 
 LunarEclipseState lunar_eclipse_state(const ApparentSunMoon& seen, ShadowModel model) {
@@ -115,9 +111,9 @@ LunarEclipseState lunar_eclipse_state(const ApparentSunMoon& seen, ShadowModel m
   const double moon_km = glm::length(seen.moon_km);
   const double moon_parallax = std::asin(earth_equatorial_radius_km / moon_km);
   const Vec2 radii = shadow_radii_rad(moon_parallax, std::asin(earth_equatorial_radius_km / sun_km),
-                                      std::asin(eclipse_sun_radius_km / sun_km), model);
+                                      std::asin(sun_radius_km / sun_km), model);
   const double moon = std::asin(moon_radius_ratio * earth_equatorial_radius_km / moon_km);
-  const double distance = angle_between_rad(-seen.sun_km, seen.moon_km);
+  const double distance = angle_between(-seen.sun_km, seen.moon_km).to(rad);
   LunarEclipseState state;
   state.umbral_magnitude = (radii.x + moon - distance) / (2.0 * moon);
   state.penumbral_magnitude = (radii.y + moon - distance) / (2.0 * moon);
@@ -132,7 +128,7 @@ LunarEclipseState lunar_eclipse_state(const ApparentSunMoon& seen, ShadowModel m
 }
 
 f64::EarthShadow earth_shadow(const LunarEclipseState& state, const Mat3& to_frame) {
-  return {to_frame * state.axis, state.sun_distance.to(kilometre), eclipse_sun_radius_km,
+  return {to_frame * state.axis, state.sun_distance.to(kilometre), sun_radius_km,
           danjon_enlargement * earth_equatorial_radius_km};
 }
 
@@ -157,16 +153,9 @@ LunarEclipse lunar_eclipse_near(const Instant& instant, ShadowModel model) {
 }
 
 std::vector<LunarEclipse> lunar_eclipses(const Instant& from, const Instant& to, ShadowModel model) {
-  std::vector<LunarEclipse> found;
-  for (const int lunation : eclipse_lunations(Syzygy::full_moon, from.tt, to.tt)) {
-    const Instant origin = instant_from_tt(mean_syzygy(Syzygy::full_moon, lunation));
-    LunarEclipse eclipse = eclipse_of_lunation(origin, lunation, model);
-    const bool in_span = eclipse.greatest.tt.days_since(from.tt) >= 0.0 && eclipse.greatest.tt.days_since(to.tt) < 0.0;
-    if (in_span && eclipse.type != LunarEclipseType::none) {
-      found.push_back(std::move(eclipse));
-    }
-  }
-  return found;
+  return eclipses_between(from, to, Syzygy::full_moon, [model](const Instant& origin, int lunation) {
+    return eclipse_of_lunation(origin, lunation, model);
+  });
 }
 
 } // namespace vesper

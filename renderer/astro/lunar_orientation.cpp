@@ -1,27 +1,14 @@
 #include "vesper/astro/lunar_orientation.hpp"
 
+#include "vesper/astro/rotation.hpp"
+#include "vesper/astro/spherical.hpp"
+
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace vesper {
 namespace {
-
-// Rotations of the axes, as the literature on lunar rotation writes them.
-Mat3 axes_x(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c};
-}
-Mat3 axes_y(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c};
-}
-Mat3 axes_z(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0};
-}
 
 /// An argument of the series and what it adds, degrees: E = start + rate * days since J2000.0.
 struct Term {
@@ -82,20 +69,20 @@ Mat3 small_turns(double days) {
     y += turn.y_sin * sine;
     z += turn.z_sin * sine;
   }
-  return axes_x((-x * arcsec).to(rad)) * axes_y((-y * arcsec).to(rad)) * axes_z((-z * arcsec).to(rad));
+  return turn_x((x * arcsec).to(rad)) * turn_y((y * arcsec).to(rad)) * turn_z((z * arcsec).to(rad));
 }
 
 } // namespace
 
 Mat3 mean_earth_from_icrs(const LunarAngles& angles) {
   static const Mat3 mean_earth_from_principal =
-      axes_x((-0.1462 * arcsec).to(rad)) * axes_y((-79.0768 * arcsec).to(rad)) * axes_z((-63.8986 * arcsec).to(rad));
-  return mean_earth_from_principal * axes_z(angles.psi_rad) * axes_x(angles.theta_rad) * axes_z(angles.phi_rad);
+      turn_x((0.1462 * arcsec).to(rad)) * turn_y((79.0768 * arcsec).to(rad)) * turn_z((63.8986 * arcsec).to(rad));
+  return mean_earth_from_principal * turn_z(-angles.psi_rad) * turn_x(-angles.theta_rad) * turn_z(-angles.phi_rad);
 }
 
 Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb) {
-  const double days = tdb.days_since({2451545.0, 0.0});
-  const double centuries = days / 36525.0;
+  const double days = tdb.days_since(j2000<TDB>);
+  const double centuries = centuries_since_j2000(tdb);
   double pole_ra = 269.9949 + 0.0031 * centuries;
   double pole_dec = 66.5392 + 0.0130 * centuries;
   double meridian = 38.3213 + 13.17635815 * days - 1.4e-12 * days * days;
@@ -106,8 +93,8 @@ Mat3 mean_earth_from_icrs(JulianDate<TDB> tdb) {
     pole_dec += term.pole_dec_cos * std::cos(argument);
     meridian += term.meridian_sin * sine;
   }
-  return small_turns(days) * axes_z((meridian * deg).to(rad)) * axes_x(((90.0 - pole_dec) * deg).to(rad)) *
-         axes_z(((90.0 + pole_ra) * deg).to(rad));
+  return small_turns(days) * turn_z((-meridian * deg).to(rad)) * turn_x(((pole_dec - 90.0) * deg).to(rad)) *
+         turn_z(((-90.0 - pole_ra) * deg).to(rad));
 }
 
 Mat3 moon_fixed_from_icrs(JulianDate<TDB> tdb, Tier tier) {
@@ -119,8 +106,6 @@ Mat3 moon_fixed_from_icrs(JulianDate<TDB> tdb, Tier tier) {
   return mean_earth_from_icrs(tdb);
 }
 
-Selenographic selenographic_of(const Vec3& v) {
-  return {std::atan2(v.y, v.x) * rad, std::atan2(v.z, std::hypot(v.x, v.y)) * rad};
-}
+Selenographic selenographic_of(const Vec3& v) { return {std::atan2(v.y, v.x) * rad, latitude_of(v)}; }
 
 } // namespace vesper

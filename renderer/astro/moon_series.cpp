@@ -1,6 +1,7 @@
 #include "vesper/astro/ephemeris_series.hpp"
 
 #include "vesper/astro/harmonic_sum.hpp"
+#include "vesper/astro/rotation.hpp"
 #include "vesper/base/units.hpp"
 
 #include <cmath>
@@ -8,9 +9,6 @@
 
 namespace vesper {
 namespace {
-
-constexpr JulianDate<TDB> j2000{2451545.0, 0.0};
-constexpr double days_per_century = 36525.0;
 
 /// A polynomial of degree 4 with its derivative.
 Moving moving_polynomial(const double (&c)[5], double t) {
@@ -48,11 +46,7 @@ const Mat3& icrs_from_j2000() {
   static const Mat3 matrix = [] {
     const double obliquity = (84381.40928 * arcsec).to(rad);
     const double origin = (-0.05294 * arcsec).to(rad);
-    const double ce = std::cos(obliquity);
-    const double se = std::sin(obliquity);
-    const double co = std::cos(origin);
-    const double so = std::sin(origin);
-    return Mat3(co, so, 0.0, -so, co, 0.0, 0.0, 0.0, 1.0) * Mat3(1.0, 0.0, 0.0, 0.0, ce, se, 0.0, -se, ce);
+    return turn_z(origin) * turn_x(obliquity);
   }();
   return matrix;
 }
@@ -60,7 +54,7 @@ const Mat3& icrs_from_j2000() {
 } // namespace
 
 StateVector moon_geocentric_series(JulianDate<TDB> tdb) {
-  const double t = tdb.days_since(j2000) / days_per_century;
+  const double t = centuries_since_j2000(tdb);
   const LunarTerm* term = moon_terms;
   const Moving in_longitude = harmonic_sum(term, moon_term_counts[0], t);
   const Moving in_latitude = harmonic_sum(term, moon_term_counts[1], t);
@@ -70,11 +64,11 @@ StateVector moon_geocentric_series(JulianDate<TDB> tdb) {
   constexpr double au_per_km = kilometre / astronomical_unit;
   const Moving mean = moving_polynomial(mean_longitude, t);
   const auto scaled = [](const Moving& m, double unit) {
-    return Moving{m.value * unit, m.rate * unit / days_per_century};
+    return Moving{m.value * unit, m.rate * unit / days_per_julian_century};
   };
   Moving longitude = scaled(in_longitude, rad_per_arcsec);
   longitude.value += mean.value;
-  longitude.rate += mean.rate / days_per_century;
+  longitude.rate += mean.rate / days_per_julian_century;
   // The ecliptic itself turns by 6e-9 rad a day: nothing beside the Moon's 0.2.
   return icrs_from_j2000() *
          (j2000_from_ecliptic_of_date(t) *

@@ -11,9 +11,6 @@
 namespace vesper {
 namespace {
 
-constexpr JulianDate<TT> j2000{2451545.0, 0.0};
-constexpr double days_per_century = 36525.0;
-
 struct NutationTerm {
   double phase[5]; ///< rad, by powers of Julian centuries
   double longitude_sin, longitude_t_sin, longitude_cos;
@@ -25,7 +22,7 @@ struct NutationTerm {
 } // namespace
 
 Nutation nutation_series(JulianDate<TT> tt) {
-  const double t = tt.days_since(j2000) / days_per_century;
+  const double t = centuries_since_j2000(tt);
   Lanes longitude{};
   Lanes obliquity{};
   constexpr std::size_t count = std::size(nutation_terms);

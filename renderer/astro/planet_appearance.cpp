@@ -1,13 +1,14 @@
 #include "vesper/astro/planet_appearance.hpp"
 
+#include "vesper/astro/spherical.hpp"
+#include "vesper/base/polynomial.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace vesper {
 namespace {
-
-constexpr JulianDate<TDB> j2000{2451545.0, 0.0};
 
 struct Radius {
   double mean_km, equatorial_km;
@@ -31,44 +32,31 @@ double sin_of_latitude(const Vec3& pole, const Vec3& to_planet) {
   return -glm::dot(pole, to_planet) / glm::length(to_planet);
 }
 
-Vec3 unit_vector(double ra_deg, double dec_deg) {
-  const double ra = (ra_deg * deg).to(rad);
-  const double dec = (dec_deg * deg).to(rad);
-  return {std::cos(dec) * std::cos(ra), std::cos(dec) * std::sin(ra), std::sin(dec)};
-}
-
-/// A polynomial in the phase angle in degrees, lowest power first.
-template <std::size_t n> double polynomial(const std::array<double, n>& coefficients, double x) {
-  double sum = 0.0;
-  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
-    sum = sum * x + *c;
-  }
-  return sum;
-}
+Vec3 pole_at(double ra_deg, double dec_deg) { return unit_vector((ra_deg * deg).to(rad), (dec_deg * deg).to(rad)); }
 
 // All of them are magnitudes at 1 au from Sun and observer.
 
 double mercury_magnitude(double phase) { // eq. 2
-  return polynomial<7>({-0.613, 6.3280e-2, -1.6336e-3, 3.3644e-5, -3.4265e-7, 1.6893e-9, -3.0334e-12}, phase);
+  return polynomial({-0.613, 6.3280e-2, -1.6336e-3, 3.3644e-5, -3.4265e-7, 1.6893e-9, -3.0334e-12}, phase);
 }
 
 double venus_magnitude(double phase) { // eq. 3 and 4
-  return phase <= 163.7 ? polynomial<5>({-4.384, -1.044e-3, 3.687e-4, -2.814e-6, 8.938e-9}, phase)
-                        : polynomial<3>({236.05828, -2.81914, 8.39034e-3}, phase);
+  return phase <= 163.7 ? polynomial({-4.384, -1.044e-3, 3.687e-4, -2.814e-6, 8.938e-9}, phase)
+                        : polynomial({236.05828, -2.81914, 8.39034e-3}, phase);
 }
 
 double mars_magnitude(double phase) { // eq. 6
-  return polynomial<3>({-1.601, 2.267e-2, -1.302e-4}, std::min(phase, 50.0));
+  return polynomial({-1.601, 2.267e-2, -1.302e-4}, std::min(phase, 50.0));
 }
 
 double jupiter_magnitude(double phase) { // eq. 8
-  return polynomial<3>({-9.395, -3.7e-4, 6.16e-4}, std::min(phase, 12.0));
+  return polynomial({-9.395, -3.7e-4, 6.16e-4}, std::min(phase, 12.0));
 }
 
 /// Globe and rings, eq. 10: the rings' opening is the geometric mean of the latitudes of observer and Sun, 0 when these
 /// see different sides.
 double saturn_magnitude(double phase, const Vec3& from_observer, const Vec3& from_sun, double centuries) {
-  const Vec3 pole = unit_vector(40.589 - 0.036 * centuries, 83.537 - 0.004 * centuries);
+  const Vec3 pole = pole_at(40.589 - 0.036 * centuries, 83.537 - 0.004 * centuries);
   const double product = std::asin(sin_of_latitude(pole, from_observer)) * std::asin(sin_of_latitude(pole, from_sun));
   const double opening = std::sin(std::sqrt(std::max(product, 0.0)));
   const double p = std::min(phase, 6.5);
@@ -77,7 +65,7 @@ double saturn_magnitude(double phase, const Vec3& from_observer, const Vec3& fro
 
 /// Eq. 14 and 15: it brightens as a pole turns to us; latitudes are planetographic.
 double uranus_magnitude(double phase, const Vec3& from_observer, const Vec3& from_sun) {
-  static const Vec3 pole = unit_vector(257.311, -15.175);
+  static const Vec3 pole = pole_at(257.311, -15.175);
   const auto latitude_deg = [](double sine) {
     constexpr double flattening = 0.0229;
     const double tangent = sine / std::sqrt(std::max(1.0 - sine * sine, 0.0));
@@ -85,7 +73,7 @@ double uranus_magnitude(double phase, const Vec3& from_observer, const Vec3& fro
   };
   const double latitude =
       0.5 * (latitude_deg(sin_of_latitude(pole, from_observer)) + latitude_deg(sin_of_latitude(pole, from_sun)));
-  return polynomial<3>({-7.110, 6.587e-3, 1.045e-4}, std::min(phase, 3.1)) - 8.4e-4 * latitude;
+  return polynomial({-7.110, 6.587e-3, 1.045e-4}, std::min(phase, 3.1)) - 8.4e-4 * latitude;
 }
 
 double neptune_magnitude(double centuries) { // eq. 16
@@ -95,22 +83,24 @@ double neptune_magnitude(double centuries) { // eq. 16
 
 } // namespace
 
+double illuminated_fraction(Angle phase_angle) {
+  const double half = std::cos(0.5 * phase_angle.to(rad));
+  return half * half;
+}
+
 PlanetAppearance planet_appearance(Planet planet, const Vec3& from_observer_au, const Vec3& from_sun_au,
                                    JulianDate<TDB> tdb) {
   const double observer_au = glm::length(from_observer_au);
   const double sun_au = glm::length(from_sun_au);
   PlanetAppearance appearance;
-  // The arc cosine would lose digits near opposition and conjunction.
-  appearance.phase_angle =
-      std::atan2(glm::length(glm::cross(from_observer_au, from_sun_au)), glm::dot(from_observer_au, from_sun_au)) * rad;
-  const double half = std::cos(0.5 * appearance.phase_angle.to(rad));
-  appearance.illuminated_fraction = half * half;
+  appearance.phase_angle = angle_between(from_observer_au, from_sun_au);
+  appearance.illuminated_fraction = illuminated_fraction(appearance.phase_angle);
   const Radius& radius = radii.at(static_cast<std::size_t>(planet));
   appearance.diameter = diameter_of(radius.mean_km, observer_au);
   appearance.equatorial_diameter = diameter_of(radius.equatorial_km, observer_au);
 
   const double phase = appearance.phase_angle.to(deg);
-  const double centuries = tdb.days_since(j2000) / 36525.0;
+  const double centuries = centuries_since_j2000(tdb);
   const double at_unit_distance = [&] {
     switch (planet) {
     case Planet::mercury:

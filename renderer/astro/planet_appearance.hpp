@@ -9,6 +9,10 @@
 
 namespace vesper {
 
+/// Share, 0 to 1, of a sphere's disc that the Sun lights.
+/// \param phase_angle Sun-sphere-observer, 0 to 180 degrees
+[[nodiscard]] double illuminated_fraction(Angle phase_angle);
+
 struct PlanetAppearance {
   Angle phase_angle;                 ///< Sun-planet-observer, 0 to 180 degrees
   double illuminated_fraction = 0.0; ///< of the disc, 0 to 1

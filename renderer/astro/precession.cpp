@@ -1,5 +1,8 @@
 #include "vesper/astro/precession.hpp"
 
+#include "vesper/astro/erfa_arrays.hpp"
+#include "vesper/astro/spherical.hpp"
+
 #include <erfa.h>
 
 #include <cmath>
@@ -7,28 +10,9 @@
 namespace vesper {
 namespace {
 
-constexpr JulianDate<TT> j2000{2451545.0, 0.0};
-constexpr double days_per_year = 365.25;
 constexpr double iau_2006_years = 400.0; // from J2000
 
-/// ERFA's matrices are arrays of rows.
-Mat3 matrix_of(const double (&rows)[3][3]) {
-  Mat3 m;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      m[column][row] = rows[row][column];
-    }
-  }
-  return m;
-}
-
-double angle_between(const double (&a)[3], const double (&b)[3]) {
-  const Vec3 u(a[0], a[1], a[2]);
-  const Vec3 v(b[0], b[1], b[2]);
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
-double years_since_j2000(JulianDate<TT> tt) { return tt.days_since(j2000) / days_per_year; }
+double years_since_j2000(JulianDate<TT> tt) { return tt.days_since(j2000<TT>) / days_per_julian_year; }
 
 } // namespace
 
@@ -47,12 +31,12 @@ Precession precession(JulianDate<TT> tt) {
     eraLtpb(epoch, rows);
     eraLtpequ(epoch, equator_pole);
     eraLtpecl(epoch, ecliptic_pole);
-    result.mean_obliquity_rad = angle_between(equator_pole, ecliptic_pole);
+    result.mean_obliquity_rad = angle_between(vector_of(equator_pole), vector_of(ecliptic_pole)).to(rad);
   }
   result.mean_equator_from_icrs = matrix_of(rows);
   // Sidereal time at a fixed Earth rotation leaves the part that belongs to TT.
-  const double sidereal = eraGmst06(j2000.day, j2000.fraction, tt.day, tt.fraction);
-  result.mean_equation_of_origins_rad = eraAnpm(eraEra00(j2000.day, j2000.fraction) - sidereal);
+  const double sidereal = eraGmst06(j2000<TT>.day, j2000<TT>.fraction, tt.day, tt.fraction);
+  result.mean_equation_of_origins_rad = eraAnpm(eraEra00(j2000<TT>.day, j2000<TT>.fraction) - sidereal);
   return result;
 }
 

@@ -20,22 +20,23 @@ const RefractionTable& table_of(const Refraction& refraction) {
   return *refraction.table;
 }
 
-f64::sampler1D sampler_of(const RefractionTable& table) {
-  return {table.texels.data(), static_cast<int>(table.texels.size())};
-}
-
 } // namespace
 
 Angle apparent_altitude(Angle true_altitude, const RefractionTable& table) {
   const double altitude = true_altitude.to(rad);
-  const double bend = f64::table_bend(std::sin(altitude), false, table.frame, sampler_of(table));
+  const double bend = f64::table_bend(std::sin(altitude), false, table.frame, refraction_sampler(table));
   return (altitude + bend * std::cos(altitude)) * rad;
 }
 
 Angle true_altitude(Angle apparent_altitude, const RefractionTable& table) {
   const double altitude = apparent_altitude.to(rad);
-  const double bend = f64::table_bend(std::sin(altitude), true, table.frame, sampler_of(table));
+  const double bend = f64::table_bend(std::sin(altitude), true, table.frame, refraction_sampler(table));
   return (altitude - bend * std::cos(altitude)) * rad;
+}
+
+Refraction standard_refraction(Length height, Tier tier) {
+  return {tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced, standard_conditions(height),
+          nullptr};
 }
 
 Refraction with_table(Refraction refraction) {
@@ -67,8 +68,12 @@ f64::RefractionFrame refraction_frame(const Refraction& refraction, std::optiona
   return frame;
 }
 
+f64::sampler1D refraction_sampler(const RefractionTable& table) {
+  return {table.texels.data(), static_cast<int>(table.texels.size())};
+}
+
 f64::sampler1D refraction_sampler(const Refraction& refraction) {
-  return refraction.table == nullptr ? f64::sampler1D{} : sampler_of(*refraction.table);
+  return refraction.table == nullptr ? f64::sampler1D{} : refraction_sampler(*refraction.table);
 }
 
 Vec3 apparent_direction(const Vec3& true_direction, const Refraction& refraction) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/air_profile.hpp"
+#include "vesper/astro/tier.hpp"
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/base/vector.hpp"
@@ -48,7 +49,11 @@ struct Refraction {
   std::shared_ptr<const RefractionTable> table; ///< for `traced`; what needs one makes its own from the conditions
 };
 
-/// The same with the table that its model needs. Throws Error(argument) for conditions out of range.
+/// What a tier bends light by in the standard atmosphere at a height, without a table: the published formula in the
+/// cheap tier, else traced rays.
+[[nodiscard]] Refraction standard_refraction(Length height, Tier tier);
+
+/// A refraction with the table that its model needs. Throws Error(argument) for conditions out of range.
 [[nodiscard]] Refraction with_table(Refraction refraction);
 
 /// In the form that shaders/lib/refraction.glsl takes. Throws Error(argument), as all that follow, for a `traced`
@@ -59,6 +64,7 @@ struct Refraction {
 [[nodiscard]] f64::RefractionFrame refraction_frame(const Refraction& refraction,
                                                     std::optional<double> wavelength_nm = std::nullopt);
 [[nodiscard]] f64::sampler1D refraction_sampler(const Refraction& refraction);
+[[nodiscard]] f64::sampler1D refraction_sampler(const RefractionTable& table);
 
 /// Direction in the horizon frame in which a source is seen, and the direction without air of what is seen.
 [[nodiscard]] Vec3 apparent_direction(const Vec3& true_direction, const Refraction& refraction);

@@ -62,7 +62,7 @@ Nodes slopes_of(const Nodes& bends, const f64::vec2& scale) {
 
 /// Altitude seen at a true one, from the half of the table that leads from apparent to true altitudes.
 double solved_apparent_rad(double true_altitude, double start, const RefractionTable& table) {
-  const f64::sampler1D sampler{table.texels.data(), static_cast<int>(table.texels.size())};
+  const f64::sampler1D sampler = refraction_sampler(table);
   const auto excess = [&](double apparent) {
     const double bend = f64::table_bend(std::sin(apparent), true, table.frame, sampler);
     return apparent - bend * std::cos(apparent) - true_altitude;

@@ -1,6 +1,7 @@
 #include "vesper/astro/sky_events.hpp"
 
 #include "vesper/astro/body_place.hpp"
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/sampled_function.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 using Samples = SampledFunction::Samples;
 constexpr std::size_t sample_count = SampledFunction::sample_count;
-constexpr double seconds_per_day = 86400.0;
-
-constexpr Angle sun_semidiameter_at_1_au = 959.63 * arcsec; // Auwers 1891, as almanacs and eclipse canons have it
-constexpr Length moon_radius = 1737.4 * kilometre;          // IAU 2015, the mean radius
 
 struct Twilight {
   Angle sun_altitude;
@@ -40,10 +37,10 @@ bool is(const SkyBody& body, Luminary luminary) {
 /// Airless altitude of the centre at rise and set.
 Angle centre_at_horizon(const SkyBody& body, double distance_au, const HorizonRule& rule) {
   if (is(body, Luminary::moon)) {
-    return rule.limb_altitude - std::asin(moon_radius / (distance_au * astronomical_unit)) * rad;
+    return rule.limb_altitude - std::asin(moon_mean_radius / (distance_au * astronomical_unit)) * rad;
   }
   if (is(body, Luminary::sun)) {
-    const Angle true_semidiameter = std::asin(std::sin(sun_semidiameter_at_1_au.to(rad)) / distance_au) * rad;
+    const Angle true_semidiameter = std::asin(sun_radius / (distance_au * astronomical_unit)) * rad;
     return rule.limb_altitude - rule.sun_semidiameter.value_or(true_semidiameter);
   }
   return rule.limb_altitude;
@@ -201,9 +198,8 @@ HorizonPlace horizon_place(const SkyBody& body, const EarthState& earth, const S
   const Vec3 from_observer_au = planet != nullptr         ? planet_from_observer_au(*planet, earth)
                                 : is(body, Luminary::sun) ? sun_from_observer_au(earth)
                                                           : moon_from_observer_au(earth);
-  const double distance_au = glm::length(from_observer_au);
-  const Vec3 apparent = f64::star_aberration(from_observer_au / distance_au, place_frame(frame));
-  return {glm::normalize(frame.horizon_from_icrs * apparent), distance_au};
+  return {glm::normalize(frame.horizon_from_icrs * apparent_direction_icrs(from_observer_au, frame)),
+          glm::length(from_observer_au)};
 }
 
 std::vector<BodyEvents> sky_events(const Instant& begin, const Instant& end, const Observer& observer,

@@ -1,6 +1,7 @@
 // Rise, set, transit and twilights of Sun, Moon, planets and stars.
 #pragma once
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/ephemeris.hpp"
 #include "vesper/astro/observer.hpp"
 #include "vesper/astro/refraction.hpp"
@@ -28,13 +29,13 @@ using SkyBody = std::variant<Luminary, Planet, DatedStar>;
 
 /// What counts as rise and set: the airless altitude of the upper limb (of planets and stars the centre).
 struct HorizonRule {
-  Angle limb_altitude = -34.0 * arcmin;
+  Angle limb_altitude = -almanac_refraction;
   /// What the Sun's centre lies below its limb; its true semidiameter where absent. The Moon's is always the true one,
-  /// for an observer at its distance and a radius of 1737.4 km.
-  std::optional<Angle> sun_semidiameter = 16.0 * arcmin;
+  /// at its distance from the observer (moon_mean_radius).
+  std::optional<Angle> sun_semidiameter = almanac_sun_semidiameter;
 
-  /// The convention of almanacs, which the defaults give too (Explanatory Supplement, 3rd ed., sec. 12.2.1): refraction
-  /// of 34' and a Sun of 16', so that its centre stands at -50'. Height shifts no horizon: dip is ignored.
+  /// The convention of almanacs, which the defaults give too (constants.hpp): the Sun's centre stands at -50'. Height
+  /// shifts no horizon: dip is ignored.
   [[nodiscard]] static HorizonRule almanac() { return {}; }
 
   /// What is seen: the upper limb on a horizon, both as the air shows them, and the Sun in its true size.
@@ -85,8 +86,8 @@ struct BodyEvents {
 /// Apparent topocentric places are computed at 19 instants a day; between them they are interpolated within 0.003" for
 /// the Moon and 0.00001" for all else, which at the horizon is worth a millisecond where nothing grazes it. An event on
 /// the border of two intervals that share the same Instant belongs to one of them. UT1 between goes by the Delta-T of
-/// `begin` (see later()). Cost for Sun and Moon: 30 microseconds a day inside the
-/// ephemeris table, a millisecond outside (bench_events). Throws Error(argument) when `end` lies before `begin`.
+/// `begin` (see later()). Cost for Sun and Moon: 30 microseconds a day inside the ephemeris table, a millisecond
+/// outside (bench_events). Throws Error(argument) when `end` lies before `begin`.
 [[nodiscard]] std::vector<BodyEvents> sky_events(const Instant& begin, const Instant& end, const Observer& observer,
                                                  std::span<const SkyBody> bodies,
                                                  const HorizonRule& rule = HorizonRule::almanac(),

@@ -1,7 +1,10 @@
 #include "vesper/astro/solar_eclipse.hpp"
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/crossings.hpp"
 #include "vesper/astro/earth_state.hpp"
+#include "vesper/astro/eclipse_search.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/astro/syzygy.hpp"
 #include "vesper/base/shader_math.hpp"
 
@@ -13,8 +16,7 @@
 namespace vesper {
 namespace {
 
-constexpr double seconds_per_day = 86400.0;
-constexpr double polar_ratio = 1.0 - 1.0 / 298.257223563; // WGS84
+constexpr double sun_radius_km = sun_radius.to(kilometre);
 
 /// The axis of the Moon's shadow: a line through the Moon away from the Sun, km from the Earth's centre.
 struct ShadowAxis {
@@ -35,12 +37,12 @@ struct ShadowAxis {
   /// Radius of the umbra in the plane of a point, negative behind the cone's tip, where the eclipse is annular.
   [[nodiscard]] double umbra_km(const Vec3& point_km) const {
     constexpr double moon = moon_valley_radius_ratio * earth_equatorial_radius_km;
-    const double sine = (eclipse_sun_radius_km - moon) / sun_moon_km;
+    const double sine = (sun_radius_km - moon) / sun_moon_km;
     return (moon - glm::dot(point_km - moon_km, direction) * sine) / std::sqrt(1.0 - sine * sine);
   }
   [[nodiscard]] double penumbra_km(const Vec3& point_km) const {
     constexpr double moon = moon_radius_ratio * earth_equatorial_radius_km;
-    const double sine = (eclipse_sun_radius_km + moon) / sun_moon_km;
+    const double sine = (sun_radius_km + moon) / sun_moon_km;
     return (moon + glm::dot(point_km - moon_km, direction) * sine) / std::sqrt(1.0 - sine * sine);
   }
 };
@@ -57,7 +59,7 @@ public:
     const Vec3 middle = nearest(axis);
     const double inside = 1.0 - glm::dot(middle, middle);
     return scaled(inside > 0.0 ? middle - std::sqrt(inside) * round_direction(axis) : glm::normalize(middle),
-                  polar_ratio) *
+                  earth_polar_ratio) *
            earth_equatorial_radius_km;
   }
 
@@ -66,11 +68,11 @@ private:
     return v + (factor - 1.0) * glm::dot(v, pole_) * pole_;
   }
   [[nodiscard]] Vec3 round_direction(const ShadowAxis& axis) const {
-    return glm::normalize(scaled(axis.direction, 1.0 / polar_ratio));
+    return glm::normalize(scaled(axis.direction, 1.0 / earth_polar_ratio));
   }
   [[nodiscard]] Vec3 nearest(const ShadowAxis& axis) const {
     const Vec3 direction = round_direction(axis);
-    const Vec3 point = scaled(axis.nearest_km / earth_equatorial_radius_km, 1.0 / polar_ratio);
+    const Vec3 point = scaled(axis.nearest_km / earth_equatorial_radius_km, 1.0 / earth_polar_ratio);
     return point - glm::dot(point, direction) * direction;
   }
 
@@ -86,14 +88,13 @@ public:
   [[nodiscard]] ShadowAxis axis(double seconds) const {
     return ShadowAxis(apparent_sun_moon(origin_.tt.plus_days(seconds / seconds_per_day)));
   }
-  [[nodiscard]] double greatest(double guess) const {
+  /// Seconds of the least distance of the axis from the Earth's centre.
+  [[nodiscard]] double greatest(int lunation) const {
     const auto squared_distance = [&](double seconds) {
       const Vec3 nearest_km = axis(seconds).nearest_km;
       return glm::dot(nearest_km, nearest_km);
     };
-    constexpr double first_step_s = 6.0 * 3600.0;
-    constexpr double last_step_s = 120.0;
-    return minimum_near(squared_distance, guess, first_step_s, last_step_s);
+    return nearest_pass(squared_distance, Syzygy::new_moon, lunation, origin_.tt);
   }
 
 private:
@@ -124,14 +125,13 @@ SolarEclipseType central_type(const ShadowPass& pass, const RoundEarth& earth, d
 Observer geodetic(const Vec3& icrs_km, const EarthState& greenwich) {
   const Vec3 place = greenwich.equator_of_date_from_icrs * icrs_km;
   const double longitude = std::atan2(place.y, place.x) - greenwich.local_sidereal_time_rad;
-  const double latitude = std::atan2(place.z, polar_ratio * polar_ratio * std::hypot(place.x, place.y));
+  const double latitude = std::atan2(place.z, earth_polar_ratio * earth_polar_ratio * std::hypot(place.x, place.y));
   return {latitude * rad, std::remainder(longitude, 2.0 * std::numbers::pi) * rad, 0.0 * metre};
 }
 
 SolarEclipse eclipse_of_lunation(const Instant& origin, int lunation) {
   const ShadowPass pass(origin);
-  const double greatest =
-      pass.greatest(mean_syzygy(Syzygy::new_moon, lunation).days_since(origin.tt) * seconds_per_day);
+  const double greatest = pass.greatest(lunation);
   const ShadowAxis axis = pass.axis(greatest);
   SolarEclipse eclipse;
   eclipse.greatest = pass.instant(greatest);
@@ -158,9 +158,9 @@ SolarEclipse eclipse_of_lunation(const Instant& origin, int lunation) {
 } // namespace
 
 SolarEclipseState solar_eclipse_state(const Vec3& sun_km, const Vec3& moon_km, double radius_ratio) {
-  const double sun = std::asin(eclipse_sun_radius_km / glm::length(sun_km));
+  const double sun = std::asin(sun_radius_km / glm::length(sun_km));
   const double moon = std::asin(radius_ratio * earth_equatorial_radius_km / glm::length(moon_km));
-  const double separation = angle_between_rad(sun_km, moon_km);
+  const double separation = angle_between(sun_km, moon_km).to(rad);
   return {separation * rad, sun * rad, moon * rad, (sun + moon - separation) / (2.0 * sun),
           f64::disc_covered(sun, moon, separation)};
 }
@@ -186,15 +186,7 @@ SolarEclipse solar_eclipse_near(const Instant& instant) {
 }
 
 std::vector<SolarEclipse> solar_eclipses(const Instant& from, const Instant& to) {
-  std::vector<SolarEclipse> found;
-  for (const int lunation : eclipse_lunations(Syzygy::new_moon, from.tt, to.tt)) {
-    SolarEclipse eclipse = eclipse_of_lunation(instant_from_tt(mean_syzygy(Syzygy::new_moon, lunation)), lunation);
-    const bool in_span = eclipse.greatest.tt.days_since(from.tt) >= 0.0 && eclipse.greatest.tt.days_since(to.tt) < 0.0;
-    if (in_span && eclipse.type != SolarEclipseType::none) {
-      found.push_back(std::move(eclipse));
-    }
-  }
-  return found;
+  return eclipses_between(from, to, Syzygy::new_moon, eclipse_of_lunation);
 }
 
 } // namespace vesper

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "vesper/astro/apparent_sun_moon.hpp"
-#include "vesper/astro/eclipse_constants.hpp"
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/observer.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/base/units.hpp"

@@ -1,35 +1,18 @@
 #include "vesper/astro/star_frame.hpp"
 
+#include "vesper/astro/constants.hpp"
+#include "vesper/astro/rotation.hpp"
+
 #include <cmath>
 #include <numbers>
 
 namespace vesper {
 namespace {
 
-constexpr JulianDate<TT> j2000_tt{2451545.0, 0.0};
-constexpr JulianDate<UT1> j2000_ut1{2451545.0, 0.0};
-constexpr double days_per_year = 365.25;
-constexpr double days_per_century = 36525.0;
-constexpr double light_speed_au_d = 173.1446326742403; // c in au/day (IAU 2012 au)
-
-/// Turns vectors by `angle` about z, x towards y.
-Mat3 turn_z(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0};
-}
-
-/// Turns vectors by `angle` about y, z towards x.
-Mat3 turn_y(double angle) {
-  const double c = std::cos(angle);
-  const double s = std::sin(angle);
-  return {c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c};
-}
-
 /// Mueller, Engel and Doellner 2012, eq. 7 and 8 (after Jensen et al. 2001).
 StarFrame cheap_star_frame(const Instant& instant, const Observer& observer) {
-  const double t = instant.tt.days_since(j2000_tt) / days_per_century;
-  const double t_ut1 = instant.ut1.days_since(j2000_ut1) / days_per_century;
+  const double t = centuries_since_j2000(instant.tt);
+  const double t_ut1 = centuries_since_j2000(instant.ut1);
   const double sidereal = 4.894961 + 230121.675315 * t_ut1 + observer.longitude.to(rad);
   const double turn = 2.0 * std::numbers::pi;
   StarFrame frame;
@@ -58,9 +41,9 @@ Mat3 horizon_from_equator(Angle latitude, double sidereal_time_rad) {
 
 StarFrame star_frame(const EarthState& earth) {
   StarFrame frame;
-  frame.years_since_j2000 = earth.instant.tt.days_since(j2000_tt) / days_per_year;
+  frame.years_since_j2000 = earth.instant.tt.days_since(j2000<TT>) / days_per_julian_year;
   frame.observer_barycentric_au = earth.bodies.earth.position_au + earth.earth_to_observer_au;
-  frame.observer_velocity_c = (earth.bodies.earth.velocity_au_d + earth.observer_velocity_au_d) / light_speed_au_d;
+  frame.observer_velocity_c = light_time_d_per_au * (earth.bodies.earth.velocity_au_d + earth.observer_velocity_au_d);
   frame.lorentz_inverse = std::sqrt(1.0 - glm::dot(frame.observer_velocity_c, frame.observer_velocity_c));
   const Vec3 sun_to_observer =
       earth.bodies.earth.position_au - earth.bodies.sun.position_au + earth.earth_to_observer_au;

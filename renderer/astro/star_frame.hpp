@@ -23,10 +23,9 @@ struct StarFrame {
   double sidereal_time_rad = 0.0;      ///< local apparent sidereal time, 0 to 2 pi
 };
 
-/// \param tier `cheap` gives Mueller et al. 2012 eq. 7 and 8: precession only (within 2 arcsec of ERFA's mean
-/// precession
-///             from 1900 to 2100), mean sidereal time, no proper motion, parallax, aberration, nutation or deflection.
-///             Others give the complete chain by ERFA (IAU 2006/2000A).
+/// \param tier `cheap` gives Mueller et al. 2012 eq. 7 and 8: precession only, mean sidereal time, no proper motion,
+///        parallax, aberration, nutation or deflection. Others give the complete chain from earth_state(), whose errors
+///        they throw.
 [[nodiscard]] StarFrame star_frame(const Instant& instant, const Observer& observer, Tier tier = Tier::standard);
 
 /// The complete chain from a state at hand.

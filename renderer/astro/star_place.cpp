@@ -1,21 +1,10 @@
 #include "vesper/astro/star_place.hpp"
 
+#include "vesper/astro/spherical.hpp"
+
 #include <cmath>
-#include <numbers>
 
 namespace vesper {
-namespace {
-
-/// atan2 in [0, 2 pi): a tiny negative angle rounds to 0, not to a whole turn.
-double whole_turn_atan2(double y, double x) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  const double angle = std::atan2(y, x);
-  const double positive = angle < 0.0 ? angle + turn : angle;
-  return positive >= turn ? 0.0 : positive;
-}
-
-} // namespace
-
 CatalogueStar catalogue_star(Angle right_ascension, Angle declination, Angle motion_alpha, Angle motion_delta,
                              Angle parallax, double radial_velocity_km_s) {
   const double sa = std::sin(right_ascension.to(rad));
@@ -45,12 +34,8 @@ Vec3 star_place_icrs(const CatalogueStar& star, const f64::StarPlaceFrame& frame
                          frame);
 }
 
-Equatorial equatorial_of(const Vec3& v) {
-  return {whole_turn_atan2(v.y, v.x) * rad, std::atan2(v.z, std::hypot(v.x, v.y)) * rad};
-}
+Equatorial equatorial_of(const Vec3& v) { return {whole_turn_atan2(v.y, v.x), latitude_of(v)}; }
 
-Horizontal horizontal_of(const Vec3& v) {
-  return {whole_turn_atan2(v.x, v.y) * rad, std::atan2(v.z, std::hypot(v.x, v.y)) * rad};
-}
+Horizontal horizontal_of(const Vec3& v) { return {whole_turn_atan2(v.x, v.y), latitude_of(v)}; }
 
 } // namespace vesper

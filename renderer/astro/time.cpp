@@ -1,7 +1,6 @@
 #include "vesper/astro/time.hpp"
 
 #include "vesper/astro/delta_t.hpp"
-
 #include "vesper/base/error.hpp"
 
 #include <erfa.h>
@@ -12,7 +11,6 @@
 namespace vesper {
 namespace {
 
-constexpr double seconds_per_day = 86400.0;
 // 1972-01-01, when UTC began to keep whole seconds from TAI, and 2027-01-01, up to which IERS Bulletin C 72 (July 2026)
 // announces no leap second.
 constexpr double utc_begin_jd = 2441317.5;
@@ -85,7 +83,7 @@ Instant instant_from_utc(JulianDate<UTC> utc) {
 }
 
 JulianDate<TDB> tdb_from_tt(JulianDate<TT> tt) {
-  const double t = tt.days_since({2451545.0, 0.0}) / 36525.0;
+  const double t = centuries_since_j2000(tt);
   const double difference_s = 0.001657 * std::sin(628.3076 * t + 6.2401) + 0.000022 * std::sin(575.3385 * t + 4.2970) +
                               0.000014 * std::sin(1256.6152 * t + 6.1969) + 0.000005 * std::sin(606.9777 * t + 4.0212) +
                               0.000005 * std::sin(52.9691 * t + 0.4444) + 0.000002 * std::sin(21.3299 * t + 5.5431) +

@@ -10,6 +10,10 @@
 
 namespace vesper {
 
+inline constexpr double seconds_per_day = 86400.0;
+inline constexpr double days_per_julian_year = 365.25;
+inline constexpr double days_per_julian_century = 36525.0;
+
 struct UTC {};
 struct UT1 {};
 struct TT {};
@@ -29,6 +33,13 @@ template <class Scale> struct JulianDate {
   }
   [[nodiscard]] constexpr JulianDate plus_days(double days) const { return {day, fraction + days}; }
 };
+
+/// The epoch J2000.0, noon of 2000-01-01 in whichever scale is meant.
+template <class Scale> inline constexpr JulianDate<Scale> j2000{2451545.0, 0.0};
+/// Julian centuries since J2000.0 in the date's own scale, the argument of most theories.
+template <class Scale> [[nodiscard]] constexpr double centuries_since_j2000(JulianDate<Scale> date) {
+  return date.days_since(j2000<Scale>) / days_per_julian_century;
+}
 
 /// One moment in the scales that astronomy needs. `note` says in a sentence when a convention had to step in (a UTC
 /// stamp outside the leap-second table taken as UT1); empty otherwise.

@@ -1,12 +1,12 @@
 #include "vesper/astro/time.hpp"
 
 #include "vesper/astro/delta_t.hpp"
-
 #include "vesper/base/error.hpp"
 
 #include <erfa.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <chrono>
@@ -15,7 +15,6 @@
 namespace vesper {
 namespace {
 
-constexpr double seconds_per_day = 86400.0;
 constexpr double year_minus_1000_jd = 1355807.5; // -1000-01-01, Gregorian
 constexpr double year_3000_jd = 2816787.5;       // 3000-01-01
 constexpr double end_of_dates_jd = 5373484.5;    // 10000-01-01
@@ -178,7 +177,7 @@ Instant parse_julian_date(std::string_view text, TimeScale scale) {
 }
 
 Instant instant_now() {
-  // The system's clock counts days of 86400 s since 1970 and skips or repeats leap seconds.
+  // The system's clock counts days of equal length since 1970 and skips or repeats leap seconds.
   const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
   const double seconds = std::chrono::duration<double>(since_epoch).count();
   const double days = std::floor(seconds / seconds_per_day);

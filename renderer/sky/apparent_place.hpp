@@ -1,4 +1,4 @@
-// Where a body appears, and angles at it.
+// Where a body appears.
 #pragma once
 
 #include "vesper/astro/star_frame.hpp"
@@ -22,10 +22,6 @@ struct BodyPlace {
 [[nodiscard]] BodyPlace apparent_place(const Vec3& from_observer_au, const StarFrame& frame);
 
 /// Apparent direction alone: a unit vector, true equator and equinox of date.
-[[nodiscard]] Vec3 apparent_direction(const Vec3& from_observer_au, const StarFrame& frame);
-
-/// Position angle of `to` at `from`, unit vectors of the same equatorial axes: north through east, 0 to 360 degrees;
-/// some finite angle where the two coincide or are opposite.
-[[nodiscard]] Angle position_angle(const Vec3& from, const Vec3& to);
+[[nodiscard]] Vec3 apparent_equatorial(const Vec3& from_observer_au, const StarFrame& frame);
 
 } // namespace vesper

@@ -1,13 +1,11 @@
 #include "vesper/sky/moon_state.hpp"
 
-#include <cmath>
-#include <numbers>
+#include "vesper/astro/constants.hpp"
+#include "vesper/astro/planet_appearance.hpp"
+#include "vesper/astro/spherical.hpp"
 
 namespace vesper {
 namespace {
-
-constexpr double light_days_per_au = 499.004783836156412 / 86400.0; // IAU 2012 au over c
-constexpr Length moon_radius = 1737.4 * kilometre;
 
 Vec3 zenith_equatorial(const StarFrame& frame) {
   const Mat3 icrs_from_horizon = glm::transpose(frame.horizon_from_icrs);
@@ -36,15 +34,13 @@ MoonState moon_state(const EarthState& earth, const StarFrame& frame, const Vec3
   moon.place = apparent_place(moon_au, frame);
   const Vec3 to_sun = sun_au - moon_au;
   const Vec3 to_observer = -moon_au;
-  // The arc cosine would lose digits near new and full Moon.
-  moon.phase_angle = std::atan2(glm::length(glm::cross(to_sun, to_observer)), glm::dot(to_sun, to_observer)) * rad;
-  const double half = std::cos(0.5 * moon.phase_angle.to(rad));
-  moon.illuminated_fraction = half * half;
-  moon.bright_limb = position_angle(moon.place.direction_equatorial, apparent_direction(sun_au, frame));
+  moon.phase_angle = angle_between(to_sun, to_observer);
+  moon.illuminated_fraction = illuminated_fraction(moon.phase_angle);
+  moon.bright_limb = position_angle(moon.place.direction_equatorial, apparent_equatorial(sun_au, frame));
 
-  const double light_days = glm::length(moon_au) * light_days_per_au;
+  const double light_days = glm::length(moon_au) * light_time_d_per_au;
   moon.moon_fixed_from_icrs = moon_fixed_from_icrs(earth.tdb.plus_days(-light_days), earth.tier);
-  const Vec3 velocity_c = light_days_per_au * (earth.bodies.earth.velocity_au_d + earth.bodies.moon.velocity_au_d);
+  const Vec3 velocity_c = light_time_d_per_au * (earth.bodies.earth.velocity_au_d + earth.bodies.moon.velocity_au_d);
   moon.libration = selenographic_of(moon.moon_fixed_from_icrs * departing(to_observer, velocity_c));
   moon.geocentric_libration =
       selenographic_of(moon.moon_fixed_from_icrs * departing(to_observer - earth.earth_to_observer_au, velocity_c));
@@ -52,8 +48,8 @@ MoonState moon_state(const EarthState& earth, const StarFrame& frame, const Vec3
   moon.colongitude = colongitude_of(moon.subsolar.longitude);
 
   const Vec3 pole_icrs = glm::transpose(moon.moon_fixed_from_icrs)[2];
-  const Vec3 pole_au = moon_au + moon_radius.to(astronomical_unit) * pole_icrs;
-  moon.axis = position_angle(moon.place.direction_equatorial, apparent_direction(pole_au, frame));
+  const Vec3 pole_au = moon_au + moon_mean_radius.to(astronomical_unit) * pole_icrs;
+  moon.axis = position_angle(moon.place.direction_equatorial, apparent_equatorial(pole_au, frame));
   moon.parallactic = half_turns(position_angle(moon.place.direction_equatorial, zenith_equatorial(frame)));
   return moon;
 }

@@ -1,11 +1,12 @@
 #include "vesper/sky/planet_state.hpp"
 
 #include "vesper/astro/body_place.hpp"
+#include "vesper/astro/spherical.hpp"
 
 namespace vesper {
 
 PlanetStates planet_states(const EarthState& earth, const StarFrame& frame, const Vec3& sun_au) {
-  const Vec3 sun_direction = apparent_direction(sun_au, frame);
+  const Vec3 sun_direction = apparent_equatorial(sun_au, frame);
   PlanetStates states;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto planet = static_cast<Planet>(i);

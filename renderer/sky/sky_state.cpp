@@ -15,8 +15,7 @@ SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier) 
   state.instant = instant;
   state.observer = observer;
   state.tier = tier;
-  state.refraction.model = tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced;
-  state.refraction.conditions = standard_conditions(observer.height);
+  state.refraction = standard_refraction(observer.height, tier);
   state.stars = tier == Tier::cheap ? star_frame(instant, observer, tier) : frame;
   state.sun = apparent_place(sun_au, frame);
   state.moon = moon_state(earth, frame, moon_au, sun_au);
@@ -25,7 +24,7 @@ SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier) 
   state.solar_eclipse =
       solar_eclipse_state(state.sun.direction_horizon * state.sun.distance.to(kilometre),
                           state.moon.place.direction_horizon * state.moon.place.distance.to(kilometre));
-  state.seconds = instant.tt.days_since({2451545.0, 0.0}) * 86400.0;
+  state.seconds = instant.tt.days_since(j2000<TT>) * seconds_per_day;
   return state;
 }
 

@@ -27,6 +27,7 @@ struct SkyState {
   double seconds = 0.0; ///< TT seconds since J2000.0, the clock of scintillation
 };
 
+/// Throws Error(argument) outside the supported span of time (time.hpp).
 [[nodiscard]] SkyState sky_state(const Instant& instant, const Observer& observer, Tier tier = Tier::standard);
 
 } // namespace vesper

@@ -132,7 +132,9 @@ std::vector<FunctionCase> function_cases() {
        0.0F},
       {"arc_tangent",
        "vec4(float(signed_arc_tangent(double(v.x), double(v.y))), 0, 0, 0)",
-       [](const glm::vec4& v) { return scalar(static_cast<float>(f64::signed_arc_tangent(v.x, v.y))); },
+       [](const glm::vec4& v) {
+         return scalar(static_cast<float>(f64::signed_arc_tangent(static_cast<double>(v.x), static_cast<double>(v.y))));
+       },
        {-1, -1, 0, 0},
        {1, 1, 0, 0},
        41,
@@ -321,13 +323,13 @@ TEST_F(ShaderMathGpu, RefractionAgreesWithItsTwin) {
       const std::string direction = "dvec3(sqrt(max(1.0lf - double(v.x) * double(v.x), 0.0lf)), 0.0lf, double(v.x))";
       const std::string of = "(" + direction + ", " + ours.glsl() + ", table)";
       // Displacements: the directions themselves would round to 0.01 arcsec.
-      const std::vector<glm::vec4> results =
-          evaluate_on_gpu("vec4(vec2((apparent_direction" + of + " - " + direction + ").xz), vec2((true_direction_of" +
-                              of + " - " + direction + ").xz))",
-                          inputs, refraction);
+      const std::vector<glm::vec4> results = evaluate_on_gpu(
+          fmt::format("vec4(vec2((apparent_direction{0} - {1}).xz), vec2((true_direction_of{0} - {1}).xz))", of,
+                      direction),
+          inputs, refraction);
       double worst = 0.0;
       for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const double sine = static_cast<double>(inputs[i].x);
+        const auto sine = static_cast<double>(inputs[i].x);
         const Vec3 v(std::sqrt(std::max(1.0 - sine * sine, 0.0)), 0.0, sine);
         const f32::vec3 v32(v);
         const auto up = static_cast<double>(f32::refraction_bend(v32, false, ours.frame, ours.sampler()));

@@ -1,8 +1,5 @@
 // vesper-report events as its users call it.
-#include "unit/apps/run_command.hpp"
-
-#include "vesper/base/csv.hpp"
-#include "vesper/base/files.hpp"
+#include "support/command_line_test.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,36 +12,19 @@ namespace {
 using nlohmann::json;
 using test::CommandResult;
 
-class EventCli : public testing::Test {
+class EventCli : public test::CommandLineTest {
 protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "vesper_events_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] CommandResult events(const std::string& arguments) const {
-    return test::run_command(folder_, "vesper-report", "events " + arguments);
-  }
-  [[nodiscard]] CsvTable table(const std::string& csv) const {
-    write_file_atomically(path("table.csv"), csv);
-    return {read_file(path("table.csv")), "table.csv"};
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-private:
-  std::string folder_;
+  EventCli() : CommandLineTest("vesper-report", "events") {}
 };
 
 constexpr const char* madrid = " --latitude 40.4 --longitude -3.7 ";
 constexpr const char* tromso = " --latitude 69.65 --longitude 18.96 ";
 
 TEST_F(EventCli, ADayInOrder) {
-  const CommandResult result = events(std::string("--time 2026-08-12T22:00:00Z") + madrid);
+  const CommandResult result = run(std::string("--time 2026-08-12T22:00:00Z") + madrid);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
-  const CsvTable day = table(result.out);
+  const CsvTable day = table_of(result);
   EXPECT_EQ(day.header(),
             (std::vector<std::string_view>{"date", "body", "event", "time", "azimuth_deg", "altitude_deg"}));
   const std::vector<std::pair<std::string_view, std::string_view>> expected{
@@ -68,7 +48,7 @@ TEST_F(EventCli, ADayInOrder) {
 }
 
 TEST_F(EventCli, PolarDaysAndNightsAreSaidPlainly) {
-  const CsvTable summer = table(events(std::string("--bodies sun --days 2 --time 2026-06-21") + tromso).out);
+  const CsvTable summer = table_of(run(std::string("--bodies sun --days 2 --time 2026-06-21") + tromso));
   ASSERT_EQ(summer.row_count(), 4U);
   for (const std::size_t row : {0U, 2U}) {
     EXPECT_EQ(summer.cell(row, 2), "does not set");
@@ -78,7 +58,7 @@ TEST_F(EventCli, PolarDaysAndNightsAreSaidPlainly) {
     EXPECT_EQ(summer.cell(row + 1, 2), "transit");
   }
   EXPECT_EQ(summer.cell(2, 0), "2026-06-22");
-  const json winter = json::parse(events(std::string("--json --bodies sun --time 2026-12-21") + tromso).out);
+  const json winter = json::parse(run(std::string("--json --bodies sun --time 2026-12-21") + tromso).out);
   EXPECT_EQ(winter.at(0).at("event"), "does not rise");
   EXPECT_TRUE(winter.at(0).at("time").is_null());
   EXPECT_NEAR(winter.at(0).at("altitude_deg").get<double>(), 90.0 - 69.65 - 23.44, 0.02);
@@ -99,7 +79,7 @@ TEST_F(EventCli, TwilightsThatDoNotComeAreSaidPlainly) {
         Case{"--latitude 70 --time 2026-12-21", "does not rise"},
         Case{"--latitude 80 --time 2026-12-21", "does not climb above -12"},
         Case{"--latitude 89 --time 2026-12-21", "does not climb above -18"}}) {
-    const CsvTable day = table(events(std::string("--bodies sun --longitude 0 --height 0 ") + c.options).out);
+    const CsvTable day = table_of(run(std::string("--bodies sun --longitude 0 --height 0 ") + c.options));
     std::string said;
     for (std::size_t i = 0; i < day.row_count() && day.cell(i, 3).empty(); ++i) {
       said = day.cell(i, 2);
@@ -110,9 +90,9 @@ TEST_F(EventCli, TwilightsThatDoNotComeAreSaidPlainly) {
 
 TEST_F(EventCli, PlanetsAndStarsAndLowerTransits) {
   const CommandResult result =
-      events(std::string("--bodies Venus,HR2491,polaris --lower-transits --time 2026-03-01") + madrid);
+      run(std::string("--bodies Venus,HR2491,polaris --lower-transits --time 2026-03-01") + madrid);
   ASSERT_EQ(result.status, 0) << result.err;
-  const CsvTable day = table(result.out);
+  const CsvTable day = table_of(result);
   EXPECT_EQ(day.cell(0, 1), "polaris");
   EXPECT_EQ(day.cell(0, 2), "does not set");
   std::size_t lower = 0;
@@ -125,7 +105,7 @@ TEST_F(EventCli, PlanetsAndStarsAndLowerTransits) {
 
 TEST_F(EventCli, TracedRefractionAndHeightMoveTheSunset) {
   const auto sunset = [&](const std::string& options) {
-    const json day = json::parse(events("--json --bodies sun --time 2026-08-12" + std::string(madrid) + options).out);
+    const json day = json::parse(run("--json --bodies sun --time 2026-08-12" + std::string(madrid) + options).out);
     for (const json& row : day) {
       if (row.at("event") == "set") {
         return row;
@@ -153,11 +133,11 @@ TEST_F(EventCli, TracedRefractionAndHeightMoveTheSunset) {
 }
 
 TEST_F(EventCli, DatesWithoutLeapSecondsAreSaidToBeUt1) {
-  const CommandResult old = events(std::string("--bodies sun --time 1066-10-14") + madrid);
+  const CommandResult old = run(std::string("--bodies sun --time 1066-10-14") + madrid);
   EXPECT_EQ(old.status, 0);
   EXPECT_NE(old.err.find("UT1"), std::string::npos);
   EXPECT_NE(old.out.find(" UT1,"), std::string::npos);
-  const CommandResult border = events(std::string("--bodies sun --time 2026-12-31 --days 2") + madrid);
+  const CommandResult border = run(std::string("--bodies sun --time 2026-12-31 --days 2") + madrid);
   EXPECT_NE(border.out.find("2026-12-31,sun,rise,2026-12-31T07:"), std::string::npos) << border.out;
   EXPECT_NE(border.out.find("2027-01-01,sun,rise,2027-01-01T07:"), std::string::npos) << border.out;
   EXPECT_NE(border.err.find("UT1"), std::string::npos) << border.err;
@@ -191,7 +171,7 @@ TEST_F(EventCli, BadOptionsNameOptionValueAndRangeAndWriteNothing) {
            Case{"--batch x.csv", "events", "--batch", "takes no"},
            Case{"--ids HR2491", "--ids", "", ""},
        }) {
-    const CommandResult result = events(c.arguments + std::string(" -o ") + out);
+    const CommandResult result = run(c.arguments + std::string(" -o ") + out);
     EXPECT_EQ(result.status, 2) << c.arguments << "\n" << result.err;
     EXPECT_EQ(result.out, "");
     for (const char* expected : {c.option, c.value, c.range}) {
@@ -199,8 +179,8 @@ TEST_F(EventCli, BadOptionsNameOptionValueAndRangeAndWriteNothing) {
     }
     EXPECT_FALSE(std::filesystem::exists(out)) << c.arguments;
   }
-  EXPECT_EQ(events("--time 2026-01-01 -o /no/such/folder/out.csv").status, 1);
-  EXPECT_EQ(events("--time 2026-01-01 -o " + out).status, 0);
+  EXPECT_EQ(run("--time 2026-01-01 -o /no/such/folder/out.csv").status, 1);
+  EXPECT_EQ(run("--time 2026-01-01 -o " + out).status, 0);
   EXPECT_TRUE(std::filesystem::exists(out));
 }
 

@@ -1,8 +1,7 @@
 // vesper-render as its users call it: what it writes, and how it fails.
-#include "unit/apps/run_command.hpp"
-
 #include "vesper/assets/image_file.hpp"
-#include "vesper/base/files.hpp"
+
+#include "support/command_line_test.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,35 +16,13 @@ using test::CommandResult;
 
 constexpr const char* scene = " --time 2026-01-15T22:00:00Z --latitude 51.5 --longitude 0 --height 47 ";
 
-class RenderCli : public testing::Test {
+class RenderCli : public test::CommandLineTest {
 protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "vesper_render_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] CommandResult render(const std::string& arguments) const {
-    return test::run_command(folder_, "vesper-render", arguments);
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  void expect_failure(const std::string& arguments, int status, const std::vector<std::string>& words) const {
-    const CommandResult result = render(arguments);
-    EXPECT_EQ(result.status, status) << arguments << "\n" << result.err;
-    EXPECT_EQ(result.out, "") << arguments;
-    for (const std::string& word : words) {
-      EXPECT_NE(result.err.find(word), std::string::npos) << arguments << " should say " << word << "\n" << result.err;
-    }
-  }
-
-private:
-  std::string folder_;
+  RenderCli() : CommandLineTest("vesper-render") {}
 };
 
 TEST_F(RenderCli, WritesTheFrameAsFloats) {
-  const CommandResult result = render(std::string(scene) + "--size 200x150 -o " + path("sky.exr"));
+  const CommandResult result = run(std::string(scene) + "--size 200x150 -o " + path("sky.exr"));
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out + result.err, "");
   const FloatImage image = read_image(path("sky.exr"));
@@ -58,7 +35,7 @@ TEST_F(RenderCli, WritesTheFrameAsFloats) {
 }
 
 TEST_F(RenderCli, WritesAPictureForTheEye) {
-  ASSERT_EQ(render(std::string(scene) + "--size 200x200 -o " + path("sky.PNG")).status, 0);
+  ASSERT_EQ(run(std::string(scene) + "--size 200x200 -o " + path("sky.PNG")).status, 0);
   const FloatImage image = read_image(path("sky.PNG"));
   EXPECT_EQ(image.width, 200);
   EXPECT_EQ(image.channels.size(), 3U);
@@ -66,15 +43,15 @@ TEST_F(RenderCli, WritesAPictureForTheEye) {
 }
 
 TEST_F(RenderCli, ACubeMapTakesAFaceOrAStack) {
-  ASSERT_EQ(render(std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.exr")).status, 0);
-  ASSERT_EQ(render(std::string(scene) + "--projection cubemap --size 32x192 -o " + path("stack.exr")).status, 0);
+  ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.exr")).status, 0);
+  ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x192 -o " + path("stack.exr")).status, 0);
   EXPECT_EQ(read_file(path("face.exr")), read_file(path("stack.exr")));
 }
 
 TEST_F(RenderCli, LayersAndAirCanBeLeftOut) {
   const auto light = [&](const std::string& options) {
-    EXPECT_EQ(render(std::string(scene) + "--projection equirectangular --altitude 0 --size 360x180 " + options +
-                     " -o " + path("sky.exr"))
+    EXPECT_EQ(run(std::string(scene) + "--projection equirectangular --altitude 0 --size 360x180 " + options + " -o " +
+                  path("sky.exr"))
                   .status,
               0);
     double sum = 0.0;
@@ -96,7 +73,7 @@ TEST_F(RenderCli, LayersAndAirCanBeLeftOut) {
 }
 
 TEST_F(RenderCli, PrintsTimingsAsData) {
-  const CommandResult result = render(std::string(scene) + "--size 64x64 --timings -o " + path("sky.png"));
+  const CommandResult result = run(std::string(scene) + "--size 64x64 --timings -o " + path("sky.png"));
   ASSERT_EQ(result.status, 0) << result.err;
   for (const char* pass : {"clear", "stars", "ground", "display", "write"}) {
     EXPECT_NE(result.out.find(pass), std::string::npos) << result.out;
@@ -105,49 +82,48 @@ TEST_F(RenderCli, PrintsTimingsAsData) {
 
 TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   const std::string to = " -o " + path("sky.png");
-  expect_failure("", 2, {"--output"});
-  expect_failure("-o " + path("sky.jpg"), 2, {"sky.jpg", ".png", ".exr"});
-  expect_failure("--projection perspective --fov 170" + to, 2, {"fov", "170"});
-  expect_failure("--fov 361" + to, 2, {"fov", "361", "360"});
-  expect_failure("--projection mercator" + to, 2, {"--projection", "mercator", "fisheye"});
-  expect_failure("--size 12" + to, 2, {"--size", "12"});
-  expect_failure("--size 99999x10" + to, 2, {"--size", "99999"});
-  expect_failure("--projection cubemap --size 64x65" + to, 2, {"size", "64x65"});
-  expect_failure("--latitude 91" + to, 2, {"--latitude", "91", "90"});
-  expect_failure("--layers stars,unicorns" + to, 2, {"--layers", "unicorns"});
-  expect_failure("--time yesterday" + to, 2, {"--time", "yesterday"});
-  expect_failure("--tier best" + to, 2, {"--tier", "best"});
-  expect_failure("--scintillation maybe" + to, 2, {"--scintillation", "maybe"});
-  expect_failure("--refraction maybe" + to, 2, {"--refraction", "maybe"});
-  expect_failure("--pressure 2000" + to, 2, {"--pressure", "2000", "1100"});
-  expect_failure("--exposure-time -1" + to, 2, {"--exposure-time", "-1"});
-  expect_failure("--medium clear" + to, 2, {"--medium"}); // arrives with the atmosphere
+  expect_failure(2, "", {"--output"});
+  expect_failure(2, "-o " + path("sky.jpg"), {"sky.jpg", ".png", ".exr"});
+  expect_failure(2, "--projection perspective --fov 170" + to, {"fov", "170"});
+  expect_failure(2, "--fov 361" + to, {"fov", "361", "360"});
+  expect_failure(2, "--projection mercator" + to, {"--projection", "mercator", "fisheye"});
+  expect_failure(2, "--size 12" + to, {"--size", "12"});
+  expect_failure(2, "--size 99999x10" + to, {"--size", "99999"});
+  expect_failure(2, "--projection cubemap --size 64x65" + to, {"size", "64x65"});
+  expect_failure(2, "--latitude 91" + to, {"--latitude", "91", "90"});
+  expect_failure(2, "--layers stars,unicorns" + to, {"--layers", "unicorns"});
+  expect_failure(2, "--time yesterday" + to, {"--time", "yesterday"});
+  expect_failure(2, "--tier best" + to, {"--tier", "best"});
+  expect_failure(2, "--scintillation maybe" + to, {"--scintillation", "maybe"});
+  expect_failure(2, "--refraction maybe" + to, {"--refraction", "maybe"});
+  expect_failure(2, "--pressure 2000" + to, {"--pressure", "2000", "1100"});
+  expect_failure(2, "--exposure-time -1" + to, {"--exposure-time", "-1"});
+  expect_failure(2, "--medium clear" + to, {"--medium"}); // arrives with the atmosphere
   EXPECT_FALSE(std::filesystem::exists(path("sky.png")));
 }
 
 TEST_F(RenderCli, FailuresWhileWorkingExitWithOneAndLeaveEarlierOutputIntact) {
   const std::string small = std::string(scene) + "--size 16x16 ";
-  expect_failure(small + "-o " + path("missing/sky.png"), 1, {"missing/sky.png", "Create the folder"});
-  expect_failure(small + "-o /dev/full --exposure 0", 2, {"/dev/full"});
-  expect_failure(small + "--catalogue " + path("none.glb") + " -o " + path("sky.png"), 1, {"none.glb"});
-  write_file_atomically(path("bad.glb"), std::string("not a star buffer"));
-  write_file_atomically(path("sky.png"), std::string("earlier"));
-  expect_failure(small + "--catalogue " + path("bad.glb") + " -o " + path("sky.png"), 1, {"bad.glb"});
-  const Bytes earlier = read_file(path("sky.png"));
-  EXPECT_EQ(earlier.size(), 7U);
+  expect_failure(1, small + "-o " + path("missing/sky.png"), {"missing/sky.png", "Create the folder"});
+  expect_failure(2, small + "-o /dev/full --exposure 0", {"/dev/full"});
+  expect_failure(1, small + "--catalogue " + path("none.glb") + " -o " + path("sky.png"), {"none.glb"});
+  write("bad.glb", "not a star buffer");
+  write("sky.png", "earlier");
+  expect_failure(1, small + "--catalogue " + path("bad.glb") + " -o " + path("sky.png"), {"bad.glb"});
+  EXPECT_EQ(text("sky.png"), "earlier");
 }
 
 TEST_F(RenderCli, AFullDiskIsAnErrorAndLeavesNothingBehind) {
   std::filesystem::create_symlink("/dev/full", path("sky.exr"));
-  expect_failure(std::string(scene) + "--size 16x16 -o " + path("sky.exr"), 1, {"sky.exr", "No space left"});
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("")), std::filesystem::directory_iterator()), 3)
-      << "the link and the two files of the captured output";
+  expect_failure(1, std::string(scene) + "--size 16x16 -o " + path("sky.exr"), {"sky.exr", "No space left"});
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("")), std::filesystem::directory_iterator()), 1)
+      << "the link";
 }
 
 TEST_F(RenderCli, ABrokenShaderIsNamed) {
   std::filesystem::create_directories(path("shaders"));
-  write_file_atomically(path("shaders/star.frag"), std::string("#include \"prelude.glsl\"\nvoid main() { broken }\n"));
-  expect_failure(std::string(scene) + "--size 16x16 --shader-dir " + path("shaders") + " -o " + path("sky.png"), 1,
+  write("shaders/star.frag", "#include \"prelude.glsl\"\nvoid main() { broken }\n");
+  expect_failure(1, std::string(scene) + "--size 16x16 --shader-dir " + path("shaders") + " -o " + path("sky.png"),
                  {"star.frag", "broken", "prelude.glsl"});
 }
 

@@ -1,8 +1,5 @@
 // vesper-report as its users call it.
-#include "unit/apps/run_command.hpp"
-
-#include "vesper/base/csv.hpp"
-#include "vesper/base/files.hpp"
+#include "support/command_line_test.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,33 +12,15 @@ namespace {
 using nlohmann::json;
 using test::CommandResult;
 
-class ReportCli : public testing::Test {
+class ReportCli : public test::CommandLineTest {
 protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "vesper_report_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] CommandResult report(const std::string& arguments) const {
-    return test::run_command(folder_, "vesper-report", arguments);
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    write_file_atomically(path(name), text);
-    return path(name);
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
-  [[nodiscard]] CsvTable table(const std::string& name) const { return {read_file(path(name)), name}; }
-
-private:
-  std::string folder_;
+  ReportCli() : CommandLineTest("vesper-report") {}
 };
 
 constexpr const char* place = " --latitude 50 --longitude 10 --height 100 ";
 
 TEST_F(ReportCli, ASceneAsJson) {
-  const CommandResult result = report(std::string("--json --time 2026-08-12T22:00:00Z") + place);
+  const CommandResult result = run(std::string("--json --time 2026-08-12T22:00:00Z") + place);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   const json scene = json::parse(result.out);
@@ -56,8 +35,8 @@ TEST_F(ReportCli, ASceneAsJson) {
 TEST_F(ReportCli, TheMoonsGlobeIsReported) {
   // A row of the reference table (tests/data/astro/moon_topo.csv).
   const CommandResult result =
-      report("--json --time 1985-05-08T00:50:24Z --latitude 47.0974 --longitude 127.1032 --height 3312 "
-             "--columns moon_axis_deg,moon_libration_longitude_deg,moon_libration_latitude_deg,moon_bright_limb_deg");
+      run("--json --time 1985-05-08T00:50:24Z --latitude 47.0974 --longitude 127.1032 --height 3312 "
+          "--columns moon_axis_deg,moon_libration_longitude_deg,moon_libration_latitude_deg,moon_bright_limb_deg");
   ASSERT_EQ(result.status, 0) << result.err;
   const json scene = json::parse(result.out);
   EXPECT_NEAR(scene.at("moon_axis_deg").get<double>(), 358.4800, 0.01);
@@ -67,7 +46,7 @@ TEST_F(ReportCli, TheMoonsGlobeIsReported) {
 }
 
 TEST_F(ReportCli, ASceneInWordsNamesWhatIsUp) {
-  const CommandResult result = report(std::string("--time 2026-01-15T22:00:00Z") + place);
+  const CommandResult result = run(std::string("--time 2026-01-15T22:00:00Z") + place);
   ASSERT_EQ(result.status, 0) << result.err;
   for (const char* expected :
        {"night", "Sirius", "Capella", "Betelgeuse", "Orion", "Cassiopeia", "Jupiter", "Uranus"}) {
@@ -79,17 +58,17 @@ TEST_F(ReportCli, ASceneInWordsNamesWhatIsUp) {
 }
 
 TEST_F(ReportCli, AssumedPlaceIsSaidOnceOnStandardError) {
-  const CommandResult said = report("--json --time 2026-08-12");
+  const CommandResult said = run("--json --time 2026-08-12");
   EXPECT_EQ(said.status, 0);
   const std::size_t first = said.err.find("Greenwich");
   EXPECT_NE(first, std::string::npos);
   EXPECT_EQ(said.err.find("Greenwich", first + 1), std::string::npos);
-  EXPECT_EQ(report("--json --time 2026-08-12 --quiet").err, "");
+  EXPECT_EQ(run("--json --time 2026-08-12 --quiet").err, "");
 }
 
 TEST_F(ReportCli, HelpAndVersionSucceed) {
   for (const char* arguments : {"--help", "--version", "stars --help"}) {
-    const CommandResult result = report(arguments);
+    const CommandResult result = run(arguments);
     EXPECT_EQ(result.status, 0) << arguments;
     EXPECT_NE(result.out, "") << arguments;
   }
@@ -106,7 +85,7 @@ TEST_F(ReportCli, BadOptionsExitWithTwoAndWriteNothing) {
         std::string("stars --ids Vega --batch " + in), "--json --batch " + in,
         "--columns sun_azimuth_deg,sun_azimuth_deg --batch " + in, std::string("--scene /no/such/file.toml"),
         std::string("unknown-subcommand"), std::string("--output= --json")}) {
-    const CommandResult result = report(arguments + output);
+    const CommandResult result = run(arguments + output);
     EXPECT_EQ(result.status, 2) << arguments << "\n" << result.err;
     EXPECT_NE(result.err, "") << arguments;
     EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
@@ -118,7 +97,7 @@ TEST_F(ReportCli, BatchPassesOtherColumnsThroughAndKeepsOrder) {
                                          "\"a, b\",0,10,50,2026-08-12T22:00:00Z\r\n"
                                          "c,100,-70.5,-33,2030-01-01T00:00:00Z\r\n");
   const CommandResult result =
-      report("--batch " + in + " -o " + path("out.csv") + " --columns moon_altitude_deg,sun_altitude_deg");
+      run("--batch " + in + " -o " + path("out.csv") + " --columns moon_altitude_deg,sun_altitude_deg");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out, "");
   EXPECT_NE(result.err.find("1 stamps lie outside the leap seconds known (1972 to 2026), the first in line 3"),
@@ -129,15 +108,14 @@ TEST_F(ReportCli, BatchPassesOtherColumnsThroughAndKeepsOrder) {
                                                          "moon_altitude_deg", "sun_altitude_deg"}));
   EXPECT_EQ(out.cell(0, 0), "a, b");
   EXPECT_EQ(out.cell(1, 2), "-70.5");
-  const json scene =
-      json::parse(report("--json --time 2026-08-12T22:00:00Z --latitude 50 --longitude 10 --height 0").out);
+  const json scene = json::parse(run("--json --time 2026-08-12T22:00:00Z --latitude 50 --longitude 10 --height 0").out);
   EXPECT_EQ(out.number(0, out.column("sun_altitude_deg")), scene.at("sun_altitude_deg").get<double>());
 }
 
 TEST_F(ReportCli, BatchTakesJulianDates) {
   const std::string in = write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n"
                                          "2461265.416666666666,2461265.415865741,50,10,0\n");
-  const CommandResult result = report("--batch " + in + " --columns sun_azimuth_deg");
+  const CommandResult result = run("--batch " + in + " --columns sun_azimuth_deg");
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_NE(result.out.find("jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n"), std::string::npos);
 }
@@ -145,12 +123,12 @@ TEST_F(ReportCli, BatchTakesJulianDates) {
 TEST_F(ReportCli, BatchSaysWhatItsFarthestDateStrains) {
   const std::string in = write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2451545,1,2,3\n"
                                          "10000,9999,1,2,3\n2400000,2400000,1,2,3\n");
-  const CommandResult far = report("--batch " + in);
+  const CommandResult far = run("--batch " + in);
   ASSERT_EQ(far.status, 0) << far.err;
   EXPECT_NE(far.err.find("line 3, the farthest date: The Earth's rotation is known"), std::string::npos) << far.err;
   EXPECT_NE(far.err.find("line 3, the farthest date: The theories of Moon"), std::string::npos) << far.err;
   write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2451545,1,2,3\n");
-  EXPECT_EQ(report("--batch " + in).err, "");
+  EXPECT_EQ(run("--batch " + in).err, "");
 }
 
 TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
@@ -172,35 +150,34 @@ TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
                 "in.csv: line 1: column 'sun_azimuth_deg' stands in the input already"},
        }) {
     const std::string in = write("in.csv", c.text);
-    const CommandResult result = report("--batch " + in + " -o " + path("out.csv"));
+    const CommandResult result = run("--batch " + in + " -o " + path("out.csv"));
     EXPECT_EQ(result.status, 1) << c.text << result.err;
     EXPECT_NE(result.err.find(c.expected), std::string::npos) << result.err;
     EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << c.text;
   }
   const std::string late = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n9999-12-31,1,2,3\n");
-  const CommandResult julian = report("--calendar julian --batch " + late);
+  const CommandResult julian = run("--calendar julian --batch " + late);
   EXPECT_EQ(julian.status, 1) << julian.err;
   EXPECT_NE(julian.err.find("line 2, column utc: '9999-12-31' is not a time: dates end"), std::string::npos)
       << julian.err;
-  EXPECT_EQ(report("--batch /no/such/file.csv").status, 1);
+  EXPECT_EQ(run("--batch /no/such/file.csv").status, 1);
   const std::string good = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,3\n");
-  EXPECT_EQ(report("--batch " + good + " -o /no/such/folder/out.csv").status, 1);
-  EXPECT_EQ(report("--batch " + good + " -o /dev/full").status, 1);
+  EXPECT_EQ(run("--batch " + good + " -o /no/such/folder/out.csv").status, 1);
+  EXPECT_EQ(run("--batch " + good + " -o /dev/full").status, 1);
 }
 
 TEST_F(ReportCli, StarsById) {
   const CommandResult result =
-      report(std::string("stars --ids 'HR2491,hd 172167,polaris' --time 2026-01-15T22:00:00Z") + place);
+      run(std::string("stars --ids 'HR2491,hd 172167,polaris' --time 2026-01-15T22:00:00Z") + place);
   ASSERT_EQ(result.status, 0) << result.err;
-  write("out.csv", result.out);
-  const CsvTable out = table("out.csv");
+  const CsvTable out = table_of(result);
   ASSERT_EQ(out.row_count(), 3U);
   EXPECT_EQ(out.cell(1, 0), "hd 172167");
   EXPECT_NEAR(out.number(0, out.column("magnitude")), -1.46, 0.01);
   EXPECT_NEAR(out.number(1, out.column("magnitude")), 0.03, 0.02); // Vega
   EXPECT_NEAR(out.number(2, out.column("altitude_deg")), 50.0, 1.0);
   EXPECT_NEAR(out.number(2, out.column("declination_deg")), 89.37, 0.02);
-  const CommandResult as_json = report(std::string("stars --json --ids HR2491 --time 2026-01-15T22:00:00Z") + place);
+  const CommandResult as_json = run(std::string("stars --json --ids HR2491 --time 2026-01-15T22:00:00Z") + place);
   EXPECT_EQ(json::parse(as_json.out).at(0).at("altitude_deg").get<double>(), out.number(0, out.column("altitude_deg")));
 }
 
@@ -209,11 +186,11 @@ TEST_F(ReportCli, StarsOfATable) {
                              "radial_velocity_km_s\n";
   const std::string options = " --time 2026-01-15T22:00:00Z" + std::string(place);
   const CommandResult good =
-      report("stars --catalogue " +
-             write("s.csv", header + "Sirius,101.28854105,-16.71314306,1991.25,-546.01,-1223.08,379.21,\n") + options);
+      run("stars --catalogue " +
+          write("s.csv", header + "Sirius,101.28854105,-16.71314306,1991.25,-546.01,-1223.08,379.21,\n") + options);
   ASSERT_EQ(good.status, 0) << good.err;
   write("out.csv", good.out);
-  const CommandResult same = report("stars --ids Sirius" + options);
+  const CommandResult same = run("stars --ids Sirius" + options);
   write("same.csv", same.out);
   // The catalogue's own entry is a rounded one: within an arcsecond.
   for (const char* column : {"right_ascension_deg", "declination_deg", "azimuth_deg", "altitude_deg"}) {
@@ -221,10 +198,10 @@ TEST_F(ReportCli, StarsOfATable) {
                 table("same.csv").number(0, table("same.csv").column(column)), 1.5 / 3600.0)
         << column;
   }
-  const CommandResult bad = report("stars --catalogue " + write("s.csv", header + "x,10,95,2000,,,,\n") + options);
+  const CommandResult bad = run("stars --catalogue " + write("s.csv", header + "x,10,95,2000,,,,\n") + options);
   EXPECT_EQ(bad.status, 1);
   EXPECT_NE(bad.err.find("line 2, column dec_deg: '95' is not in -90 to 90"), std::string::npos) << bad.err;
-  const CommandResult wild = report("stars --catalogue " + write("s.csv", header + "x,10,5,2000,1e300,,,\n") + options);
+  const CommandResult wild = run("stars --catalogue " + write("s.csv", header + "x,10,5,2000,1e300,,,\n") + options);
   EXPECT_EQ(wild.status, 1);
   EXPECT_NE(wild.err.find("column pm_ra_cosdec_mas_yr: '1e300' is not in"), std::string::npos) << wild.err;
 }

@@ -3,31 +3,25 @@
 #include "common/program.hpp"
 #include "common/scene_option_table.hpp"
 
+#include "support/folder_test.hpp"
+
 #include "vesper/base/error.hpp"
-#include "vesper/base/files.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace vesper {
 namespace {
 
-/// A folder of its own that also stands in for the user's settings.
-class SceneOptionsTest : public testing::Test {
+/// The test's folder also stands in for the user's settings.
+class SceneOptionsTest : public test::FolderTest {
 protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              ("vesper_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_ / "vesper");
-    ::setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string write(const std::string& name, const std::string& text) {
-    write_file_atomically(folder_ / name, text);
-    return (folder_ / name).string();
+    FolderTest::SetUp();
+    std::filesystem::create_directories(folder() / "vesper");
+    ::setenv("XDG_CONFIG_HOME", folder().c_str(), 1);
   }
 
   static SceneOptions resolve(std::vector<std::string> arguments) {
@@ -48,9 +42,6 @@ protected:
     }
     return "";
   }
-
-private:
-  std::filesystem::path folder_;
 };
 
 TEST_F(SceneOptionsTest, DefaultsAreTheWholeSkyOverGreenwichNow) {

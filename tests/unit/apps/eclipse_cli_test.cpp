@@ -1,8 +1,5 @@
 // vesper-report eclipses as its users call it.
-#include "unit/apps/run_command.hpp"
-
-#include "vesper/base/csv.hpp"
-#include "vesper/base/files.hpp"
+#include "support/command_line_test.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,38 +12,21 @@ namespace {
 using nlohmann::json;
 using test::CommandResult;
 
-class ReportEclipses : public testing::Test {
+class EclipseCli : public test::CommandLineTest {
 protected:
-  void SetUp() override {
-    folder_ = testing::TempDir() + "vesper_eclipses_" + testing::UnitTest::GetInstance()->current_test_info()->name();
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] CommandResult eclipses(const std::string& arguments) const {
-    return test::run_command(folder_, "vesper-report", "eclipses " + arguments);
-  }
-  [[nodiscard]] CsvTable table(const std::string& text) const {
-    write_file_atomically(path("table.csv"), text);
-    return {read_file(path("table.csv")), "table.csv"};
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-private:
-  std::string folder_;
+  EclipseCli() : CommandLineTest("vesper-report", "eclipses") {}
 };
 
 constexpr const char* burgos = " --latitude 42.3439 --longitude -3.6969 --height 860";
 
-TEST_F(ReportEclipses, LunarOnesOfAYear) {
-  const CommandResult result = eclipses(std::string("--from 2026 --to 2026 --kind lunar") + burgos);
+TEST_F(EclipseCli, LunarOnesOfAYear) {
+  const CommandResult result = run(std::string("--from 2026 --to 2026 --kind lunar") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_TRUE(result.out.starts_with("greatest,type,gamma,umbral_magnitude,penumbral_magnitude,P1,U1,U2,U3,U4,P4,"
                                      "moon_altitude_deg\n"))
       << result.out;
-  const CsvTable out = table(result.out);
+  const CsvTable out = table_of(result);
   ASSERT_EQ(out.row_count(), 2U);
   EXPECT_EQ(out.cell(0, 1), "total");
   EXPECT_TRUE(out.cell(0, 0).starts_with("2026-03-03T11:33:")) << out.cell(0, 0);
@@ -55,14 +35,13 @@ TEST_F(ReportEclipses, LunarOnesOfAYear) {
   EXPECT_TRUE(out.cell(1, out.column("U4")).ends_with("Z"));
   EXPECT_NEAR(out.number(1, out.column("umbral_magnitude")), 0.930, 0.002);
   EXPECT_GT(out.number(1, out.column("moon_altitude_deg")), 0.0);
-  const CommandResult chauvenet =
-      eclipses(std::string("--from 2026 --to 2026 --kind lunar --shadow chauvenet") + burgos);
-  const CsvTable wider = table(chauvenet.out);
+  const CommandResult chauvenet = run(std::string("--from 2026 --to 2026 --kind lunar --shadow chauvenet") + burgos);
+  const CsvTable wider = table_of(chauvenet);
   EXPECT_NEAR(wider.number(1, wider.column("umbral_magnitude")), 0.935, 0.002);
 }
 
-TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
-  const CommandResult result = eclipses(std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --json") + burgos);
+TEST_F(EclipseCli, SolarOnesWithThePlacesOwnTimes) {
+  const CommandResult result = run(std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --json") + burgos);
   ASSERT_EQ(result.status, 0) << result.err;
   const json rows = json::parse(result.out);
   ASSERT_EQ(rows.size(), 1U);
@@ -74,15 +53,15 @@ TEST_F(ReportEclipses, SolarOnesWithThePlacesOwnTimes) {
   EXPECT_EQ(row.at("obscuration"), 1.0);
   // It is no eclipse where the Sun is down.
   const json south =
-      json::parse(eclipses("--from 2026-08-12 --to 2026-08-12 --kind solar --json --latitude -40 --longitude 175").out);
+      json::parse(run("--from 2026-08-12 --to 2026-08-12 --kind solar --json --latitude -40 --longitude 175").out);
   EXPECT_EQ(south.at(0).at("local_type"), "none");
   EXPECT_TRUE(south.at(0).at("max").is_null());
 }
 
-TEST_F(ReportEclipses, TheSlightestOnesCount) {
+TEST_F(EclipseCli, TheSlightestOnesCount) {
   // 1935 had five, the most that a year can have; that of 5 January, of magnitude 0.001, hardly touched the Earth. The
   // century had 228 (Espenak and Meeus 2006, Five Millennium Canon of Solar Eclipses).
-  const CsvTable out = table(eclipses(std::string("--from 1901 --to 2000 --kind solar") + burgos).out);
+  const CsvTable out = table_of(run(std::string("--from 1901 --to 2000 --kind solar") + burgos));
   EXPECT_EQ(out.row_count(), 228U);
   std::string in_1935;
   for (std::size_t row = 0; row < out.row_count(); ++row) {
@@ -93,37 +72,37 @@ TEST_F(ReportEclipses, TheSlightestOnesCount) {
   EXPECT_EQ(in_1935, "01-05 02-03 06-30 07-30 12-25 ");
 }
 
-TEST_F(ReportEclipses, SpansIncludeTheirLastYearAndMayBeEmpty) {
-  const CommandResult years = eclipses(std::string("--from 2026 --to 2030 --kind solar") + burgos);
+TEST_F(EclipseCli, SpansIncludeTheirLastYearAndMayBeEmpty) {
+  const CommandResult years = run(std::string("--from 2026 --to 2030 --kind solar") + burgos);
   ASSERT_EQ(years.status, 0) << years.err;
   EXPECT_NE(years.err.find("UT1"), std::string::npos) << years.err;
-  const CsvTable out = table(years.out);
+  const CsvTable out = table_of(years);
   ASSERT_EQ(out.row_count(), 12U);
   EXPECT_TRUE(out.cell(11, 0).starts_with("2030-11-25")) << out.cell(11, 0);
   EXPECT_TRUE(out.cell(11, 0).ends_with(" UT1"));
-  const CommandResult none = eclipses(std::string("--from 2026-04-01 --to 2026-04-30 --kind solar") + burgos);
+  const CommandResult none = run(std::string("--from 2026-04-01 --to 2026-04-30 --kind solar") + burgos);
   EXPECT_EQ(none.status, 0);
-  EXPECT_EQ(table(none.out).row_count(), 0U);
-  EXPECT_EQ(json::parse(eclipses(std::string("--from 2026-04-01 --to 2026-04-30 --kind lunar --json") + burgos).out),
+  EXPECT_EQ(table_of(none).row_count(), 0U);
+  EXPECT_EQ(json::parse(run(std::string("--from 2026-04-01 --to 2026-04-30 --kind lunar --json") + burgos).out),
             json::array());
 }
 
-TEST_F(ReportEclipses, SpansAreOfTheCalendarAsked) {
+TEST_F(EclipseCli, SpansAreOfTheCalendarAsked) {
   // The eclipse of 21 August 1560, Julian, which turned the young Tycho Brahe to astronomy: 31 August, Gregorian.
   const std::string day = std::string("--from 1560-08-21 --to 1560-08-21 --kind solar --quiet") + burgos;
-  EXPECT_EQ(table(eclipses(day).out).row_count(), 0U);
-  const CommandResult julian = eclipses(day + " --calendar julian");
+  EXPECT_EQ(table_of(run(day)).row_count(), 0U);
+  const CommandResult julian = run(day + " --calendar julian");
   ASSERT_EQ(julian.status, 0) << julian.err;
-  const CsvTable out = table(julian.out);
+  const CsvTable out = table_of(julian);
   ASSERT_EQ(out.row_count(), 1U);
   EXPECT_TRUE(out.cell(0, 0).starts_with("1560-08-31")) << out.cell(0, 0);
   // In TT a day begins a minute earlier than in UTC.
   const std::string hour = std::string("--from 2026-08-12T17:46:30 --to 2026-08-13 --kind solar --quiet") + burgos;
-  EXPECT_EQ(table(eclipses(hour).out).row_count(), 0U);
-  EXPECT_EQ(table(eclipses(hour + " --time-scale tt").out).row_count(), 1U);
+  EXPECT_EQ(table_of(run(hour)).row_count(), 0U);
+  EXPECT_EQ(table_of(run(hour + " --time-scale tt")).row_count(), 1U);
 }
 
-TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
+TEST_F(EclipseCli, FaultsNameTheOptionAndWriteNothing) {
   struct Case {
     const char* arguments;
     const char* expected;
@@ -140,19 +119,19 @@ TEST_F(ReportEclipses, FaultsNameTheOptionAndWriteNothing) {
            Case{"--from=-4713 --to 2025 --kind lunar", "years -4712 to 9999"},
            Case{"--from 2026 --to 2030 --kind lunar --batch x.csv", "takes no --batch"},
        }) {
-    const CommandResult result = eclipses(std::string(c.arguments) + burgos + " -o " + path("out.csv"));
+    const CommandResult result = run(std::string(c.arguments) + burgos + " -o " + path("out.csv"));
     EXPECT_EQ(result.status, 2) << c.arguments << result.err;
     EXPECT_NE(result.err.find(c.expected), std::string::npos) << result.err;
     EXPECT_FALSE(std::filesystem::exists(path("out.csv"))) << c.arguments;
   }
 }
 
-TEST_F(ReportEclipses, WritesToAFile) {
+TEST_F(EclipseCli, WritesToAFile) {
   const std::string options = std::string("--from 2026 --to 2026 --kind lunar") + burgos;
-  const CommandResult result = eclipses(options + " -o " + path("out.csv"));
+  const CommandResult result = run(options + " -o " + path("out.csv"));
   EXPECT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.out, "");
-  EXPECT_EQ(test::text_of(path("out.csv")), eclipses(options).out);
+  EXPECT_EQ(text("out.csv"), run(options).out);
 }
 
 } // namespace
