@@ -60,11 +60,17 @@ SplitDate julian_date(const CsvTable& input, std::size_t row, std::size_t column
   return {std::floor(whole), whole - std::floor(whole)};
 }
 
+/// Without the spaces around it, which numbers may have too.
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+}
+
 Instant instant_of_row(const CsvTable& input, std::size_t row, const InputColumns& columns,
                        const SceneOptions& defaults) {
   if (columns.utc) {
     try {
-      return parse_instant(input.cell(row, *columns.utc), defaults.time_scale, defaults.calendar);
+      return parse_instant(trimmed(input.cell(row, *columns.utc)), defaults.time_scale, defaults.calendar);
     } catch (const Error& e) {
       ErrorContext context = input.context(row, *columns.utc);
       context.remedy = e.context().remedy;

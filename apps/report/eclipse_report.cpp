@@ -162,8 +162,8 @@ Instant border(const char* option, std::string_view text, bool end, const SceneO
 
 } // namespace
 
-EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, std::string_view from,
-                               std::string_view to, const SceneOptions& scene) {
+EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, std::string_view lunar_radius,
+                               std::string_view from, std::string_view to, const SceneOptions& scene) {
   EclipseRequest request;
   if (kind != "lunar" && kind != "solar") {
     if (kind.empty()) {
@@ -176,6 +176,10 @@ EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, s
     refuse_option("--shadow", shadow, "danjon, chauvenet");
   }
   request.shadow = shadow == "danjon" ? ShadowModel::danjon : ShadowModel::chauvenet;
+  if (lunar_radius != "mean" && lunar_radius != "valleys") {
+    refuse_option("--lunar-radius", lunar_radius, "mean, valleys");
+  }
+  request.umbral_radius_ratio = lunar_radius == "mean" ? moon_radius_ratio : moon_valley_radius_ratio;
   request.from = border("--from", from, false, scene);
   request.to = border("--to", to, true, scene);
   if (request.to.tt.days_since(request.from.tt) <= 0.0) {
@@ -196,7 +200,7 @@ EclipseReport eclipse_report(const EclipseRequest& request, bool json) {
   }
   std::vector<SolarRow> rows;
   for (SolarEclipse& eclipse : solar_eclipses(request.from, request.to)) {
-    LocalSolarEclipse local = local_solar_eclipse(eclipse.greatest, request.observer);
+    LocalSolarEclipse local = local_solar_eclipse(eclipse.greatest, request.observer, request.umbral_radius_ratio);
     rows.push_back({std::move(eclipse), std::move(local)});
   }
   return table_of(rows, solar_columns, json);

@@ -3,6 +3,7 @@
 
 #include "common/scene_options.hpp"
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/observer.hpp"
 #include "vesper/astro/time.hpp"
@@ -16,17 +17,19 @@ enum class EclipseKind { lunar, solar };
 
 struct EclipseRequest {
   EclipseKind kind = EclipseKind::lunar;
-  ShadowModel shadow = ShadowModel::danjon; ///< of lunar ones
-  Instant from;                             ///< of the greatest phase
-  Instant to;                               ///< exclusive
+  ShadowModel shadow = ShadowModel::danjon;       ///< of lunar ones
+  double umbral_radius_ratio = moon_radius_ratio; ///< k of second and third contacts of solar ones
+  Instant from;                                   ///< of the greatest phase
+  Instant to;                                     ///< exclusive
   Observer observer;
 };
 
-/// A request from the texts of --kind, --shadow, --from and --to. The last two take a year or an ISO date, whose end
-/// is meant by --to, or an instant. Throws Error(argument) naming option, value and what is allowed.
+/// A request from the texts of --kind, --shadow, --lunar-radius, --from and --to. The last two take a year or an ISO
+/// date, whose end is meant by --to, or an instant. Throws Error(argument) naming option, value and what is allowed.
 /// \param scene the observer, and the time scale and calendar of `from` and `to`
-[[nodiscard]] EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, std::string_view from,
-                                             std::string_view to, const SceneOptions& scene);
+[[nodiscard]] EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow,
+                                             std::string_view lunar_radius, std::string_view from, std::string_view to,
+                                             const SceneOptions& scene);
 
 struct EclipseReport {
   std::string text;        ///< CSV or JSON

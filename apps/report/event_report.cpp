@@ -2,6 +2,8 @@
 
 #include "report/star_report.hpp"
 
+#include "common/option_text.hpp"
+
 #include "vesper/assets/default_stars.hpp"
 #include "vesper/base/csv.hpp"
 #include "vesper/base/error.hpp"
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -23,18 +24,12 @@ namespace {
 constexpr int most_days = 36525;
 constexpr double end_of_dates_jd = 5373484.5; // 10000-01-01
 
-constexpr std::array<std::string_view, planet_count> planet_names{"mercury", "venus",  "mars",   "jupiter",
-                                                                  "saturn",  "uranus", "neptune"};
-
-[[noreturn]] void refuse(std::string_view option, std::string_view value, std::string_view allowed) {
-  throw Error(ErrorKind::argument, fmt::format("{}: '{}' is not allowed; allowed: {}", option, value, allowed));
-}
-
-template <class Number> std::optional<Number> number_within(std::string_view text, Number lowest, Number highest) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool whole = error == std::errc() && end == text.data() + text.size();
-  return whole && value >= lowest && value <= highest ? std::optional(value) : std::nullopt;
+std::string planet_names() {
+  std::string names;
+  for (int i = 0; i < planet_count; ++i) {
+    names.append(i == 0 ? "" : ", ").append(name_of(static_cast<Planet>(i)));
+  }
+  return names;
 }
 
 /// The last midnight that has come at `instant`.
@@ -53,31 +48,30 @@ EventRequest::Body body_of(const std::string& given) {
   if (name == "sun" || name == "moon") {
     return {name, name == "sun" ? Luminary::sun : Luminary::moon};
   }
-  const auto* const planet = std::find(planet_names.begin(), planet_names.end(), name);
-  if (planet != planet_names.end()) {
-    return {name, static_cast<Planet>(planet - planet_names.begin())};
+  for (int i = 0; i < planet_count; ++i) {
+    if (name == name_of(static_cast<Planet>(i))) {
+      return {name, static_cast<Planet>(i)};
+    }
   }
   try {
     const RequestedStar star = stars_by_id(given, default_star_catalogue()).at(0);
     return {given, DatedStar{star.star, star.epoch_jyear}};
   } catch (const Error&) {
-    refuse("--bodies", given,
-           fmt::format("a comma-separated list of sun, moon, {} and of stars by HR or HD number as in HR2491, "
-                       "designation or name",
-                       fmt::join(planet_names, ", ")));
+    refuse_option("--bodies", given,
+                  fmt::format("a comma-separated list of sun, moon, {} and of stars by HR or HD number as in HR2491, "
+                              "designation or name",
+                              planet_names()));
   }
 }
 
 std::vector<EventRequest::Body> bodies_of(const std::string& list) {
   std::vector<EventRequest::Body> bodies;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    EventRequest::Body body = body_of(list.substr(begin, end - begin));
+  for (const std::string_view item : list_items(list)) {
+    EventRequest::Body body = body_of(std::string(item));
     if (std::any_of(bodies.begin(), bodies.end(), [&](const auto& other) { return other.name == body.name; })) {
-      refuse("--bodies", list, fmt::format("each body once, but '{}' stands there twice", body.name));
+      refuse_option("--bodies", list, fmt::format("each body once, but '{}' stands there twice", body.name));
     }
     bodies.push_back(std::move(body));
-    begin = end + 1;
   }
   return bodies;
 }
@@ -85,14 +79,14 @@ std::vector<EventRequest::Body> bodies_of(const std::string& list) {
 HorizonRule horizon_rule(const SceneOptions& scene, const EventOptions& options) {
   const auto horizon = number_within(options.horizon, -10.0, 80.0);
   if (!horizon && !options.horizon.empty()) {
-    refuse("--horizon", options.horizon, "-10 to 80 degrees");
+    refuse_option("--horizon", options.horizon, "-10 to 80 degrees");
   }
   if (options.refraction == "model") {
     const Refraction air = with_table(refraction_of(scene));
     return HorizonRule::seen(air, horizon ? *horizon * deg : horizon_altitude(air, scene.observer.height));
   }
   if (options.refraction != "almanac") {
-    refuse("--refraction", options.refraction, "almanac, model");
+    refuse_option("--refraction", options.refraction, "almanac, model");
   }
   HorizonRule rule = HorizonRule::almanac();
   rule.limb_altitude = rule.limb_altitude + horizon.value_or(0.0) * deg;
@@ -205,7 +199,7 @@ CLI::App* add_events_command(CLI::App& app, EventOptions& options) {
       ->add_option("--bodies", options.bodies,
                    fmt::format("Comma-separated sun, moon, {}, and stars as HR2491, HD48915, designations or names; "
                                "default sun,moon",
-                               fmt::join(planet_names, ", ")))
+                               planet_names()))
       ->type_name("LIST");
   events
       ->add_option("--refraction", options.refraction,
@@ -229,8 +223,9 @@ EventRequest event_request(const SceneOptions& scene, const EventOptions& option
   const int dates_left = static_cast<int>(std::min<double>(most_days, end_of_dates_jd - request.first_midnight_jd));
   const auto days = number_within(options.days, 1, dates_left);
   if (!days) {
-    refuse("--days", options.days,
-           fmt::format("1 to {}{}", dates_left, dates_left < most_days ? ", for dates end with 9999-12-31" : ""));
+    refuse_option(
+        "--days", options.days,
+        fmt::format("1 to {}{}", dates_left, dates_left < most_days ? ", for dates end with 9999-12-31" : ""));
   }
   request.days = *days;
   request.note = instant_from_utc({request.first_midnight_jd + *days - 1.0, 0.5}).note;

@@ -31,6 +31,7 @@ struct ReportOptions {
   std::string catalogue;
   std::string from, to, kind;
   std::string shadow = "danjon";
+  std::string lunar_radius = "mean";
   EventOptions events;
 };
 
@@ -113,7 +114,8 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
 }
 
 void report_eclipses(const SceneOptions& scene, const ReportOptions& options) {
-  const EclipseRequest request = eclipse_request(options.kind, options.shadow, options.from, options.to, scene);
+  const EclipseRequest request =
+      eclipse_request(options.kind, options.shadow, options.lunar_radius, options.from, options.to, scene);
   const EclipseReport report = eclipse_report(request, options.json);
   if (report.any_in_ut1) {
     spdlog::info("eclipses outside the leap seconds known (1972 to 2026) are given in UT1, from TT by Delta-T");
@@ -144,7 +146,11 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                                             "CSV of scenes with the columns utc (or jd_tt, jd_ut1), latitude_deg, "
                                             "longitude_deg, height_m; others pass through")
                                  ->type_name("FILE");
-  app.add_option("--columns", options.columns, "Comma-separated quantities to report; default all")->type_name("LIST");
+  app.add_option("--columns", options.columns,
+                 "Comma-separated quantities to report, also venus_magnitude and its like; default, the usual ones, "
+                 "and planets "
+                 "stand for groups; default default")
+      ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 
   CLI::App* stars = app.add_subcommand("stars", "Places of chosen stars, as CSV or JSON");
@@ -163,6 +169,11 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->type_name("KIND");
   eclipses->add_option("--shadow", options.shadow, "The Earth's shadow: danjon (default) or chauvenet")
       ->type_name("MODEL");
+  eclipses
+      ->add_option("--lunar-radius", options.lunar_radius,
+                   "The Moon of second and third contacts of solar eclipses: mean (default, k = 0.2725076) or valleys "
+                   "(k = 0.272281, as almanacs time totality: some seconds shorter)")
+      ->type_name("NAME");
 
   const CLI::App* events = add_events_command(app, options.events);
   app.require_subcommand(0, 1);

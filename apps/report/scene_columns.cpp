@@ -1,5 +1,7 @@
 #include "report/scene_columns.hpp"
 
+#include "report/planet_columns.hpp"
+
 #include "common/option_text.hpp"
 
 #include "vesper/base/error.hpp"
@@ -34,12 +36,30 @@ constexpr std::array columns{
     SceneColumn{"sun_obscuration", [](const SkyState& s) { return s.solar_eclipse.obscuration; }},
 };
 
-std::string all_names() {
-  std::string names;
+std::string allowed_names() {
+  std::string names = "a comma-separated list of ";
   for (const SceneColumn& column : columns) {
-    names.append(names.empty() ? "" : ", ").append(column.name);
+    names.append(column.name).append(", ");
   }
-  return names;
+  return names + "default for all of these, planets for those of all planets (venus_magnitude, ...)";
+}
+
+/// The columns that a name stands for: one, or a group.
+std::span<const SceneColumn> columns_named(std::string_view name) {
+  if (name == "default") {
+    return columns;
+  }
+  if (name == "planets") {
+    return planet_columns();
+  }
+  for (const std::span<const SceneColumn> group : {std::span<const SceneColumn>(columns), planet_columns()}) {
+    const auto found =
+        std::find_if(group.begin(), group.end(), [&](const SceneColumn& column) { return column.name == name; });
+    if (found != group.end()) {
+      return {found, 1};
+    }
+  }
+  refuse_option("--columns", name, allowed_names());
 }
 
 } // namespace
@@ -52,15 +72,12 @@ std::vector<SceneColumn> select_columns(std::string_view list) {
   }
   std::vector<SceneColumn> selected;
   for (const std::string_view name : list_items(list)) {
-    const auto same_name = [&](const SceneColumn& column) { return column.name == name; };
-    const auto* const found = std::find_if(columns.begin(), columns.end(), same_name);
-    if (found == columns.end()) {
-      refuse_option("--columns", name, "a comma-separated list of " + all_names());
+    for (const SceneColumn& column : columns_named(name)) {
+      if (std::any_of(selected.begin(), selected.end(), [&](const auto& other) { return other.name == column.name; })) {
+        throw Error(ErrorKind::argument, fmt::format("--columns: '{}' stands twice", column.name));
+      }
+      selected.push_back(column);
     }
-    if (std::any_of(selected.begin(), selected.end(), same_name)) {
-      throw Error(ErrorKind::argument, fmt::format("--columns: '{}' stands twice", name));
-    }
-    selected.push_back(*found);
   }
   return selected;
 }

@@ -15,11 +15,12 @@ struct SceneColumn {
   double (*value)(const SkyState& sky);
 };
 
-/// All columns, in the order in which they are written.
+/// The columns that are written unless others are asked for, in their order.
 [[nodiscard]] std::span<const SceneColumn> scene_columns();
 
-/// The columns of a comma-separated list, in its order; all for an empty list. Throws Error(argument) naming an unknown
-/// or repeated one.
+/// The columns of a comma-separated list, in its order: names, those of planets too (planet_columns.hpp), and the
+/// groups "default" and "planets". An empty list is "default". Throws Error(argument) naming an unknown or repeated
+/// one.
 [[nodiscard]] std::vector<SceneColumn> select_columns(std::string_view list);
 
 } // namespace vesper

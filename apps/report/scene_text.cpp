@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <unordered_map>
 
@@ -26,9 +27,9 @@ std::string where(Angle azimuth, Angle altitude) {
 }
 
 /// The same with the altitude that refraction makes of it, for what stands above or little below the horizon.
-std::string where(const BodyPlace& body, const Refraction& refraction) {
+std::string where(const BodyPlace& body, const Refraction& refraction, Angle horizon) {
   std::string text = where(body.azimuth, body.altitude);
-  constexpr Angle hidden_below = -2.0 * deg;
+  const Angle hidden_below = horizon - 2.0 * deg;
   if (refraction.model != RefractionModel::none && body.altitude > hidden_below) {
     const Angle apparent = horizontal_of(apparent_direction(body.direction_horizon, refraction)).altitude;
     text += fmt::format(", apparent altitude {:.2f}°", apparent.to(deg));
@@ -70,18 +71,16 @@ std::string face_text(const MoonState& moon) {
                      latitude < 0.0 ? "southern" : "northern", moon.axis.to(deg), moon.bright_limb.to(deg));
 }
 
-constexpr std::array<std::string_view, planet_count> planet_names{"Mercury", "Venus",  "Mars",   "Jupiter",
-                                                                  "Saturn",  "Uranus", "Neptune"};
-
 std::string planets_text(const SkyState& sky) {
   std::string text;
-  for (std::size_t i = 0; i < planet_names.size(); ++i) {
+  for (std::size_t i = 0; i < sky.planets.size(); ++i) {
     const PlanetState& planet = sky.planets.at(i);
     if (planet.place.altitude > 0.0 * deg) {
-      fmt::format_to(std::back_inserter(text), "  {:<16} {:5.2f} mag  {}; {:4.1f}\" across, {:.0f} % lit\n",
-                     planet_names.at(i), planet.appearance.magnitude,
-                     where(planet.place.azimuth, planet.place.altitude), planet.appearance.diameter.to(arcsec),
-                     100.0 * planet.appearance.illuminated_fraction);
+      std::string name(name_of(static_cast<Planet>(i)));
+      name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+      fmt::format_to(std::back_inserter(text), "  {:<16} {:5.2f} mag  {}; {:4.1f}\" across, {:.0f} % lit\n", name,
+                     planet.appearance.magnitude, where(planet.place.azimuth, planet.place.altitude),
+                     planet.appearance.diameter.to(arcsec), 100.0 * planet.appearance.illuminated_fraction);
     }
   }
   return text;
@@ -178,6 +177,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
 std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   const BodyPlace& moon = sky.moon.place;
   const Refraction refraction = with_table(sky.refraction);
+  const Angle horizon = horizon_altitude(refraction, sky.observer.height);
   const bool waxing = std::sin((moon.right_ascension - sky.sun.right_ascension).to(rad)) > 0.0;
   std::string text;
   auto out = std::back_inserter(text);
@@ -187,8 +187,8 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   }
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
   fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
-  fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction));
-  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon, refraction),
+  fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction, horizon));
+  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon, refraction, horizon),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
   text += eclipse_text(sky);
   fmt::format_to(out, "        {}\n", face_text(sky.moon));

@@ -19,10 +19,12 @@ template <class Function>
   return minimum_near(squared_distance, guess_s, first_step_s, last_step_s);
 }
 
-/// The eclipses whose `greatest` lies in [from, to), in order.
-/// \param eclipse_of gives that of a lunation, of type `none` where there is none, near an instant in it
+/// The eclipses whose `greatest` lies in [from, to), in order. Throws Error(argument) for a span beyond the supported
+/// one. \param eclipse_of gives that of a lunation, of type `none` where there is none, near an instant in it
 template <class Function>
 [[nodiscard]] auto eclipses_between(const Instant& from, const Instant& to, Syzygy phase, Function&& eclipse_of) {
+  require_supported(from.tt);
+  require_supported(to.tt);
   using Eclipse = decltype(eclipse_of(from, 0));
   std::vector<Eclipse> found;
   for (const int lunation : eclipse_lunations(phase, from.tt, to.tt)) {

@@ -4,7 +4,15 @@
 #include "vesper/astro/ephemeris_series.hpp"
 #include "vesper/astro/ephemeris_table.hpp"
 
+#include <array>
+
 namespace vesper {
+
+std::string_view name_of(Planet planet) {
+  constexpr std::array<std::string_view, planet_count> names{"mercury", "venus",  "mars",   "jupiter",
+                                                             "saturn",  "uranus", "neptune"};
+  return names.at(static_cast<std::size_t>(planet));
+}
 
 SunEarthMoon sun_earth_moon(JulianDate<TDB> tdb, Tier tier) {
   if (tier == Tier::cheap) {

@@ -5,6 +5,8 @@
 #include "vesper/astro/time.hpp"
 #include "vesper/base/vector.hpp"
 
+#include <string_view>
+
 namespace vesper {
 
 /// Position in au and velocity in au a day along ICRS axes.
@@ -21,6 +23,8 @@ struct SunEarthMoon {
 
 enum class Planet { mercury, venus, mars, jupiter, saturn, uranus, neptune };
 inline constexpr int planet_count = 7;
+/// "mercury" to "neptune".
+[[nodiscard]] std::string_view name_of(Planet planet);
 
 /// Sun, Earth and Moon at one instant: by the table (ephemeris_table.hpp) from December 1959 to January 2060, except in
 /// the cheap tier; else by series (ephemeris_series.hpp).

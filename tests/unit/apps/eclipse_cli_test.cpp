@@ -102,6 +102,20 @@ TEST_F(EclipseCli, SpansAreOfTheCalendarAsked) {
   EXPECT_EQ(table_of(run(hour + " --time-scale tt")).row_count(), 1U);
 }
 
+TEST_F(EclipseCli, TheValleysOfTheLimbShortenTotality) {
+  const std::string asked = std::string("--from 2026-08-12 --to 2026-08-12 --kind solar --quiet") + burgos;
+  const CsvTable mean = table_of(run(asked));
+  const CsvTable valleys = table_of(run(asked + " --lunar-radius valleys"));
+  const std::size_t c1 = mean.column("C1");
+  const std::size_t c2 = mean.column("C2");
+  EXPECT_EQ(mean.cell(0, c1), valleys.cell(0, c1));
+  const auto seconds = [&](const CsvTable& t) { return std::stod(std::string(t.cell(0, c2).substr(17, 6))); };
+  ASSERT_EQ(mean.cell(0, c2).substr(0, 17), valleys.cell(0, c2).substr(0, 17));
+  const double begins_later_s = seconds(valleys) - seconds(mean);
+  EXPECT_GT(begins_later_s, 0.5);
+  EXPECT_LT(begins_later_s, 4.0);
+}
+
 TEST_F(EclipseCli, FaultsNameTheOptionAndWriteNothing) {
   struct Case {
     const char* arguments;
@@ -112,6 +126,7 @@ TEST_F(EclipseCli, FaultsNameTheOptionAndWriteNothing) {
            Case{"--from 2026 --kind lunar", "--to is missing"},
            Case{"--to 2026 --kind lunar", "--from is missing"},
            Case{"--from 2026 --to 2030 --kind moon", "--kind: 'moon' is not allowed; allowed: lunar, solar"},
+           Case{"--from 2026 --to 2030 --kind solar --lunar-radius x", "--lunar-radius: 'x' is not allowed"},
            Case{"--from 2026 --to 2030 --kind lunar --shadow x", "--shadow: 'x' is not allowed"},
            Case{"--from 20260 --to 2030 --kind lunar", "--from: '20260' is not allowed"},
            Case{"--from 2026-02-30 --to 2030 --kind lunar", "--from: '2026-02-30' is not allowed"},

@@ -166,6 +166,20 @@ TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
   EXPECT_EQ(run("--batch " + good + " -o /dev/full").status, 1);
 }
 
+TEST_F(ReportCli, PlanetColumnsAreThereForTheAsking) {
+  const std::string in = write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n 2025-02-16T00:00:00Z ,0,0,0\n");
+  const CsvTable all = table_of(run("--columns default,planets --batch " + in));
+  EXPECT_EQ(all.header().size(), 4U + table_of(run("--batch " + in)).header().size() - 4U + 7U * 11U);
+  const CsvTable venus =
+      table_of(run("--columns venus_magnitude,venus_diameter_arcsec,sun_altitude_deg --batch " + in));
+  EXPECT_EQ(venus.header().at(4), "venus_magnitude");
+  // Greatest brilliancy of February 2025: -4.9 mag, 40" across (almanacs).
+  EXPECT_NEAR(venus.number(0, 4), -4.87, 0.05);
+  EXPECT_NEAR(venus.number(0, 5), 39.0, 2.0);
+  EXPECT_EQ(run("--columns default,venus_magnitude,default --batch " + in).status, 2);
+  EXPECT_EQ(run("--columns pluto_magnitude --batch " + in).status, 2);
+}
+
 TEST_F(ReportCli, StarsById) {
   const CommandResult result =
       run(std::string("stars --ids 'HR2491,hd 172167,polaris' --time 2026-01-15T22:00:00Z") + place);
