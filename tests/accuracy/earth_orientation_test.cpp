@@ -1,5 +1,5 @@
 // Precession, nutation and sidereal time against ERFA's complete theory, which the embedded table abridges.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/earth_state.hpp"
 #include "vesper/astro/ephemeris_table.hpp"

@@ -1,5 +1,5 @@
 // Rise, set and twilights against JPL DE431.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/sky_events.hpp"
 

@@ -1,5 +1,5 @@
 // Reference frames against published directions and ERFA.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/frames.hpp"
 #include "vesper/astro/star_frame.hpp"

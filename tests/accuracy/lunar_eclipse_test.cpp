@@ -1,5 +1,5 @@
 // Eclipses of the Moon against figures from JPL DE431 and NASA's catalogue.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/lunar_eclipse.hpp"
 

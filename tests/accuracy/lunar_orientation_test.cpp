@@ -1,5 +1,5 @@
 // The Moon's orientation against JPL: librations, axis and terminator of DE421 tables, Euler angles of DE405.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/body_place.hpp"
 #include "vesper/astro/lunar_orientation.hpp"

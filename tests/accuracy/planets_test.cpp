@@ -1,5 +1,5 @@
 // Planets against JPL DE431 and magnitudes after Mallama and Hilton 2018.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/body_place.hpp"
 #include "vesper/astro/planet_appearance.hpp"

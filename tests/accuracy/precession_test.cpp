@@ -1,5 +1,5 @@
 // Precession over 15 000 years against an independent obliquity, and across the join of its two models.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/precession.hpp"
 

@@ -1,5 +1,5 @@
 // Refraction: the traced rays against published figures and another integration, the table against the traced rays.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/refraction.hpp"
 #include "vesper/astro/refraction_trace.hpp"

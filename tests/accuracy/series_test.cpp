@@ -1,5 +1,5 @@
 // The analytic series and the cheap tier against JPL DE431, whatever table stands before them.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/body_place.hpp"
 #include "vesper/astro/ephemeris_cheap.hpp"

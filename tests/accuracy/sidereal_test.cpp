@@ -1,5 +1,5 @@
 // Sidereal time and Delta-T against outside figures.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/delta_t.hpp"
 #include "vesper/astro/earth_state.hpp"

@@ -1,5 +1,5 @@
 // Eclipses of the Sun against figures from JPL DE431 and the Five Millennium Canon.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/local_solar_eclipse.hpp"
 

@@ -1,5 +1,5 @@
 // Star places against outside figures and against ERFA star by star.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/star_place.hpp"
 

@@ -1,5 +1,5 @@
 // Sun and Moon against JPL DE431, inside the embedded table's span and outside.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/ephemeris_table.hpp"
 #include "vesper/sky/sky_state.hpp"

@@ -1,5 +1,5 @@
 // Places at poles, zenith, far dates, zero parameters and in single precision.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/star_place.hpp"
 #include "vesper/sky/sky_state.hpp"

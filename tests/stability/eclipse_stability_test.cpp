@@ -1,5 +1,5 @@
 // Eclipses where formulas like to break: straight lines, tangent and concentric discs, points, poles, far years.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/local_solar_eclipse.hpp"
 #include "vesper/astro/lunar_eclipse.hpp"

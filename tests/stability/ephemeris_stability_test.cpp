@@ -1,5 +1,5 @@
 // The embedded ephemeris where its pieces meet: segments, the ends of its span, and steps of a microsecond.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/ephemeris_series.hpp"
 #include "vesper/astro/ephemeris_table.hpp"

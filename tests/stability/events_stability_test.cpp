@@ -1,5 +1,5 @@
 // Events where they are hard to find: at poles, borders, grazing, at the zenith, far away in time.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/sky_events.hpp"
 

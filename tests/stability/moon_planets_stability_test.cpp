@@ -1,5 +1,5 @@
 // The Moon and the planets where their angles are undefined or turn fast.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/body_place.hpp"
 #include "vesper/sky/sky_state.hpp"

@@ -1,5 +1,5 @@
 // Refraction at the poles of the horizon frame, through the horizon and the nadir, with no air and too much of it.
-#include "accuracy/truth.hpp"
+#include "support/truth.hpp"
 
 #include "vesper/astro/refraction.hpp"
 #include "vesper/astro/refraction_trace.hpp"
