@@ -15,7 +15,6 @@ namespace {
 constexpr double kelvin = 273.15; // of 0 C
 
 // US Standard Atmosphere 1976, in geopotential kilometres.
-constexpr double standard_pressure_hpa = 1013.25;
 constexpr double standard_temperature_k = 288.15;
 constexpr double geopotential_radius_km = 6356.766;
 constexpr double hydrostatic_k_per_km = 34.163195; // g M / R
