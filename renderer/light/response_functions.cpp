@@ -1,14 +1,11 @@
 #include "vesper/light/response_functions.hpp"
 
-#include "vesper/base/csv.hpp"
 #include "vesper/base/embedded.hpp"
-#include "vesper/base/error.hpp"
+#include "vesper/light/embedded_spectrum.hpp"
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace vesper {
@@ -23,19 +20,7 @@ using Grid = std::array<double, grid_size>;
 
 /// A column of a table in our own data folder, against its first one.
 Spectrum column_of(std::string_view name, std::string_view column) {
-  const EmbeddedFile* file = embedded_light_tables.find(name);
-  if (file == nullptr) {
-    throw Error(ErrorKind::file, "is not embedded", {std::string(name), "", "Build the library again"});
-  }
-  const auto bytes = std::as_bytes(file->data);
-  const CsvTable table({bytes.begin(), bytes.end()}, std::string(name));
-  std::vector<double> nm;
-  std::vector<double> values;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    nm.push_back(table.number(row, 0));
-    values.push_back(table.number(row, table.column(column)));
-  }
-  return {std::move(nm), std::move(values)};
+  return embedded_spectrum(embedded_light_tables, name, column);
 }
 
 /// The spectrum at the grid's wavelengths. Walks through the samples once: a search for each would cost more than all

@@ -8,3 +8,4 @@
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
+#include "vesper/shaders/lib/phase.glsl"

@@ -1,0 +1,46 @@
+// The media that need no file.
+#pragma once
+
+#include "vesper/atmosphere/medium.hpp"
+
+namespace vesper {
+
+/// The coefficients of the published real-time models (Bruneton and Neyret 2008 with the ozone of later renderers), at
+/// 680, 550 and 440 nm; linear between these wavelengths, nothing outside them. Radii 6360 and 6460 km, molecules of
+/// 8 km and aerosol of 1.2 km scale height with Cornette and Shanks's phase function, g = 0.8, ozone from 10 to 40 km,
+/// ground albedo 0.3.
+[[nodiscard]] Medium published_medium();
+
+/// What changes from day to day in clear air.
+struct ClearAir {
+  double aerosol_optical_depth = 0.10; ///< at 550 nm from sea level to space, 0 to 10
+  double angstrom_exponent = 1.3;      ///< optical depth goes as wavelength to minus this, -1 to 4
+  double ozone_dobson = 300.0;         ///< 0 to 1000
+  double ground_albedo = 0.15;         ///< at all wavelengths, 0 to 1
+};
+
+/// Clear air by wavelength, 360 to 830 nm, over a sphere of the Earth's mean radius, to 120 km.
+///
+/// - Molecules: `rayleigh_per_km`, density by height of the US Standard Atmosphere 1976.
+/// - Aerosol: Angstrom's law; density falls with 1.5 km, as the extinction of high observatories tells (Hayes and
+///   Latham 1975, ApJ 197, 593). Single-scattering albedo 0.95 and g = 0.70 (Henyey and Greenstein), between the
+///   continental clean (0.972, 0.709) and average (0.925, 0.703) of OPAC at 550 nm and 80 % humidity (Hess et al. 1998,
+///   Bull. Am. Meteorol. Soc. 79, 831).
+/// - Ozone: absorption at 233 K (Gorshelev, Serdyuchenko et al. 2014), the mid-latitude profile of the US Standard
+///   Atmosphere 1976.
+///
+/// Throws Error(argument) for a value out of its range.
+[[nodiscard]] Medium clear_medium(const ClearAir& air = {});
+
+/// (6 + 3 rho) / (6 - 7 rho) for air with 450 ppm of carbon dioxide: Bodhaine et al. 1999 (J. Atmos. Ocean. Technol.
+/// 16, 1854, eq. 5, 6 and 23).
+[[nodiscard]] double king_factor(double wavelength_nm);
+
+/// The depolarization rho of natural light that belongs to it, 0.03.
+[[nodiscard]] double air_depolarization(double wavelength_nm);
+
+/// Scattering of dry air at 1013.25 hPa and 15 C, per km, wavelength in vacuum, 300 to 1700 nm: Rayleigh's law in the
+/// form of Bodhaine et al. 1999, eq. 2, with the refractive index of Ciddor 1996.
+[[nodiscard]] double rayleigh_per_km(double wavelength_nm);
+
+} // namespace vesper
