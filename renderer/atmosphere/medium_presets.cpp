@@ -4,11 +4,13 @@
 #include "vesper/base/error.hpp"
 #include "vesper/light/embedded_spectrum.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <vector>
 
 namespace vesper {
 
@@ -72,6 +74,13 @@ HeightProfile ozone_profile() {
   return HeightProfile::table(heights, densities, HeightProfile::Between::linear);
 }
 
+/// Angstrom's law from a coefficient at 550 nm.
+WavelengthLaw angstrom(double per_km, const ClearAir& air) {
+  return [per_km, exponent = air.angstrom_exponent](double wavelength_nm) {
+    return per_km * std::pow(wavelength_nm / 550.0, -exponent);
+  };
+}
+
 } // namespace
 
 Medium published_medium() {
@@ -119,15 +128,21 @@ double rayleigh_per_km(double wavelength_nm) {
 
 Medium clear_medium(const ClearAir& air) {
   hold("aerosol optical depth", air.aerosol_optical_depth, 0.0, 10.0);
+  hold("stratospheric optical depth", air.stratospheric_optical_depth, 0.0, 1.0);
   hold("Angstrom exponent", air.angstrom_exponent, -1.0, 4.0);
   hold("ozone column", air.ozone_dobson, 0.0, 1000.0);
   hold("ground albedo", air.ground_albedo, 0.0, 1.0);
 
-  constexpr double aerosol_scale_km = 1.5;
-  constexpr double aerosol_albedo = 0.95;
-  const WavelengthLaw aerosol_per_km = [air](double wavelength_nm) {
-    return air.aerosol_optical_depth / aerosol_scale_km * std::pow(wavelength_nm / 550.0, -air.angstrom_exponent);
-  };
+  const double high_depth = std::min(air.stratospheric_optical_depth, air.aerosol_optical_depth);
+  constexpr double low_scale_km = 1.5;
+  constexpr double low_albedo = 0.95;
+  const WavelengthLaw low_per_km = angstrom((air.aerosol_optical_depth - high_depth) / low_scale_km, air);
+  constexpr double high_from_km = 12.0;
+  constexpr double high_peak_km = 20.0;
+  constexpr double high_to_km = 35.0;
+  const WavelengthLaw high_per_km = angstrom(high_depth / (0.5 * (high_to_km - high_from_km)), air);
+  const PhaseFunction droplets{PhaseKind::henyey_greenstein, constant(0.70)};
+
   constexpr double dobson_per_m2 = 2.6867e20;
   const double ozone_m2_per_km = air.ozone_dobson * dobson_per_m2 / ozone_column_km();
   const WavelengthLaw ozone_per_km =
@@ -142,11 +157,11 @@ Medium clear_medium(const ClearAir& air) {
           (mean_earth_radius_km + top_km) * kilometre,
           constant(air.ground_albedo),
           {{"molecules", standard_density(), rayleigh_per_km, constant(0.0), molecular},
-           {"aerosol",
-            HeightProfile::exponential(aerosol_scale_km),
-            [aerosol_per_km](double nm) { return aerosol_albedo * aerosol_per_km(nm); },
-            [aerosol_per_km](double nm) { return (1.0 - aerosol_albedo) * aerosol_per_km(nm); },
-            {PhaseKind::henyey_greenstein, constant(0.70)}},
+           {"tropospheric aerosol", HeightProfile::exponential(low_scale_km),
+            [low_per_km](double nm) { return low_albedo * low_per_km(nm); },
+            [low_per_km](double nm) { return (1.0 - low_albedo) * low_per_km(nm); }, droplets},
+           {"stratospheric aerosol", HeightProfile::tent(high_from_km, high_peak_km, high_to_km), high_per_km,
+            constant(0.0), droplets},
            {"ozone", ozone_profile(), constant(0.0), ozone_per_km, molecular}}};
 }
 

@@ -14,18 +14,22 @@ namespace vesper {
 /// What changes from day to day in clear air.
 struct ClearAir {
   double aerosol_optical_depth = 0.10; ///< at 550 nm from sea level to space, 0 to 10
-  double angstrom_exponent = 1.3;      ///< optical depth goes as wavelength to minus this, -1 to 4
-  double ozone_dobson = 300.0;         ///< 0 to 1000
-  double ground_albedo = 0.15;         ///< at all wavelengths, 0 to 1
+  /// The part of it above the weather, 0 to 1 (0.1 and more after great volcanic eruptions), at most all of it.
+  double stratospheric_optical_depth = 0.005;
+  double angstrom_exponent = 1.3; ///< optical depth goes as wavelength to minus this, -1 to 4
+  double ozone_dobson = 300.0;    ///< 0 to 1000
+  double ground_albedo = 0.15;    ///< at all wavelengths, 0 to 1
 };
 
 /// Clear air by wavelength, 360 to 830 nm, over a sphere of the Earth's mean radius, to 120 km.
 ///
 /// - Molecules: `rayleigh_per_km`, density by height of the US Standard Atmosphere 1976.
-/// - Aerosol: Angstrom's law; density falls with 1.5 km, as the extinction of high observatories tells (Hayes and
-///   Latham 1975, ApJ 197, 593). Single-scattering albedo 0.95 and g = 0.70 (Henyey and Greenstein), between the
-///   continental clean (0.972, 0.709) and average (0.925, 0.703) of OPAC at 550 nm and 80 % humidity (Hess et al. 1998,
-///   Bull. Am. Meteorol. Soc. 79, 831).
+/// - Aerosol of the troposphere: Angstrom's law; density falls with 1.5 km, as the extinction of high observatories
+///   tells (Hayes and Latham 1975, ApJ 197, 593). Single-scattering albedo 0.95 and g = 0.70 (Henyey and Greenstein),
+///   between the continental clean (0.972, 0.709) and average (0.925, 0.703) of OPAC at 550 nm and 80 % humidity (Hess
+///   et al. 1998, Bull. Am. Meteorol. Soc. 79, 831).
+/// - Aerosol of the stratosphere: optical depth as in OPAC, droplets of sulphuric acid that absorb nothing, g = 0.70;
+///   from 12 to 35 km, densest at 20 km; the same Angstrom exponent.
 /// - Ozone: absorption at 233 K (Gorshelev, Serdyuchenko et al. 2014), the mid-latitude profile of the US Standard
 ///   Atmosphere 1976.
 ///

@@ -165,7 +165,9 @@ double zenith_extinction_v_mag(const Medium& medium, Length height, const Spectr
   std::vector<double> above;
   std::vector<double> below;
   const std::vector<double>& band = v_band().wavelengths_nm();
-  for (double nm = band.front(); nm <= band.back(); nm += 1.0) {
+  const auto steps = static_cast<int>(band.back() - band.front());
+  for (int i = 0; i <= steps; ++i) {
+    const double nm = band.front() + i;
     wavelengths.push_back(nm);
     above.push_back(light(nm));
     below.push_back(light(nm) * optical_depth(medium, air, nm).transmittance());

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace vesper {
 namespace {
@@ -39,34 +41,53 @@ TEST(ClearMedium, MoleculesScatterAsPublished) {
   column.hold("Rayleigh optical depth against Bodhaine et al. 1999", 0.2, "%");
 }
 
-TEST(ClearMedium, KingFactorAsPublished) {
-  // Bates 1984 (Planet. Space Sci. 32, 785): of air at 400, 500 and 600 nm.
+TEST(ClearMedium, DepolarizationAsPublished) {
+  // Young 1980 (Appl. Opt. 19, 3427): 0.0279 and a King factor of 1.048 for the visible.
+  test::ErrorSum depolarization;
   test::ErrorSum king;
-  king.add(king_factor(400.0) - 1.051);
-  king.add(king_factor(500.0) - 1.049);
-  king.add(king_factor(600.0) - 1.048);
-  king.hold("King factor of air against Bates 1984", 1.0e-3, "");
-  EXPECT_NEAR((6.0 + 3.0 * air_depolarization(550.0)) / (6.0 - 7.0 * air_depolarization(550.0)), king_factor(550.0),
-              1.0e-12);
+  for (const double nm : {500.0, 550.0, 600.0, 650.0}) {
+    depolarization.add(air_depolarization(nm) - 0.0279);
+    king.add(king_factor(nm) - 1.048);
+    const double rho = air_depolarization(nm);
+    EXPECT_NEAR((6.0 + 3.0 * rho) / (6.0 - 7.0 * rho), king_factor(nm), 1.0e-12);
+  }
+  depolarization.hold("depolarization of air against Young 1980", 1.0e-3, "");
+  king.hold("King factor of air against Young 1980", 2.0e-3, "");
 }
 
 TEST(ClearMedium, HoldsTheColumnsItWasAskedFor) {
   const Vec3 zenith(0.0, 0.0, 1.0);
   for (const double dobson : {100.0, 300.0}) {
     for (const double aerosol : {0.02, 0.10, 1.0}) {
-      const Medium air = clear_medium({aerosol, 1.3, dobson, 0.15});
+      const Medium air = clear_medium({aerosol, 0.005, 1.3, dobson, 0.15});
       const AirColumns columns = columns_to_space(air, air.ground_radius.to(kilometre) * zenith, zenith);
-      EXPECT_NEAR(air.components[1].extinction_per_km(550.0) * columns.km[1], aerosol, 1.0e-8 * aerosol);
+      const double low = air.components[1].extinction_per_km(550.0) * columns.km[1];
+      const double high = air.components[2].extinction_per_km(550.0) * columns.km[2];
+      EXPECT_NEAR(low + high, aerosol, 1.0e-8 * aerosol);
+      EXPECT_NEAR(high, 0.005, 1.0e-10);
       // 300 Dobson units of 2.6867e20 molecules per m2 absorb 4.1 % at 600 nm.
       const double ozone = dobson * 2.6867e20 * 5.085e-25;
-      EXPECT_NEAR(air.components[2].extinction_per_km(600.0) * columns.km[2], ozone, 1.0e-3 * ozone);
+      EXPECT_NEAR(air.components[3].extinction_per_km(600.0) * columns.km[3], ozone, 1.0e-3 * ozone);
     }
   }
 }
 
+/// ASTM E-490; its unit does not matter here.
+Spectrum solar_spectrum() {
+  const std::string path = std::string(VESPER_TEST_DATA) + "/light/e490_visible.csv";
+  const CsvTable table(read_file(path), path);
+  std::vector<double> nm;
+  std::vector<double> values;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    nm.push_back(1000.0 * table.number(row, table.column("wavelength_um")));
+    values.push_back(table.number(row, table.column("irradiance_w_m2_um")));
+  }
+  return {nm, values};
+}
+
 TEST(ClearMedium, ZenithExtinctionInV) {
   const Medium air = clear_medium();
-  const Spectrum sun = planck_spectrum(5772.0);
+  const Spectrum sun = solar_spectrum();
   const double sea_level = zenith_extinction_v_mag(air, 0.0 * metre, sun);
   const double mountain = zenith_extinction_v_mag(air, 2400.0 * metre, sun);
   std::printf(

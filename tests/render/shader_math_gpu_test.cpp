@@ -37,6 +37,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
 #include "lib/display.glsl"
+#include "lib/phase.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler1D table; // of refraction
 layout(std430, binding = 0) readonly buffer In { vec4 inputs[]; };
@@ -190,6 +191,17 @@ std::vector<FunctionCase> function_cases() {
        {2, 2, 2, 2},
        6,
        1.0e-5F},
+      {"phase functions",
+       "vec4(rayleigh_phase(v.x, v.z), henyey_greenstein_phase(v.x, v.y), cornette_shanks_phase(v.x, v.y), "
+       "schlick_phase(v.x, v.y))",
+       [](const glm::vec4& v) {
+         return glm::vec4(f32::rayleigh_phase(v.x, v.z), f32::henyey_greenstein_phase(v.x, v.y),
+                          f32::cornette_shanks_phase(v.x, v.y), f32::schlick_phase(v.x, v.y));
+       },
+       {-1, -0.99F, 0, 0},
+       {1, 0.99F, 0.8F, 0},
+       41,
+       1.0e-4F},
       {"scintillation",
        "scintillation(uint(v.x), double(v.y), v.z, v.w, 0.007)",
        [](const glm::vec4& v) { return f32::scintillation(static_cast<unsigned>(v.x), v.y, v.z, v.w, 0.007F); },

@@ -109,7 +109,7 @@ TEST(TransmittanceStability, AtTheTopAndOutside) {
 }
 
 TEST(TransmittanceStability, EveryAltitudeFromEveryHeight) {
-  const Medium air = clear_medium({10.0, 4.0, 1000.0, 1.0});
+  const Medium air = clear_medium({10.0, 1.0, 4.0, 1000.0, 1.0});
   for (const double height : {0.0, 1.0e-9, 0.5, 12.0, 119.999999, 120.0, 121.0, 1.0e6}) {
     for (int i = -90; i <= 90; ++i) {
       const double altitude = i * std::numbers::pi / 180.0;
@@ -119,6 +119,12 @@ TEST(TransmittanceStability, EveryAltitudeFromEveryHeight) {
       EXPECT_TRUE(through >= 0.0 && through <= 1.0) << height << " " << i;
     }
   }
+}
+
+TEST(MediumStability, AirWithoutAerosolOrOzone) {
+  const Medium air = clear_medium({0.0, 0.005, 1.3, 0.0, 0.0});
+  const AirColumns columns = columns_to_space(air, {0.0, 0.0, 6371.0}, zenith);
+  EXPECT_EQ(optical_depth(air, columns, 550.0).value, air.components[0].scattering_per_km(550.0) * columns.km[0]);
 }
 
 TEST(MediumStability, ASpectrumThatIsZeroSomewhere) {
@@ -142,9 +148,10 @@ TEST(MediumBadInput, IsRefused) {
   EXPECT_THROW((void)HeightProfile::table({0.0, 1.0}, {1.0, 0.0}, Between::logarithmic), Error);
   EXPECT_THROW((void)HeightProfile::table({0.0}, {1.0}, Between::linear), Error);
   EXPECT_THROW((void)HeightProfile::table({0.0, nan}, {1.0, 1.0}, Between::linear), Error);
-  EXPECT_THROW((void)clear_medium({-0.1, 1.3, 300.0, 0.1}), Error);
-  EXPECT_THROW((void)clear_medium({0.1, nan, 300.0, 0.1}), Error);
-  EXPECT_THROW((void)clear_medium({0.1, 1.3, 300.0, 1.1}), Error);
+  EXPECT_THROW((void)clear_medium({-0.1, 0.005, 1.3, 300.0, 0.1}), Error);
+  EXPECT_THROW((void)clear_medium({0.1, 2.0, 1.3, 300.0, 0.1}), Error);
+  EXPECT_THROW((void)clear_medium({0.1, 0.005, nan, 300.0, 0.1}), Error);
+  EXPECT_THROW((void)clear_medium({0.1, 0.005, 1.3, 300.0, 1.1}), Error);
   EXPECT_THROW(validate(single(HeightProfile::exponential(8.0), -1.0), 550.0), Error);
   Medium wrong = published_medium();
   wrong.components[1].phase.parameter = always(1.0);
