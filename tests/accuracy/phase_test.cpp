@@ -86,10 +86,12 @@ TEST(Phase, SinglePrecisionAgreesAlsoInThePeak) {
       const auto add = [&](float ours, double reference) {
         relative.add((static_cast<double>(ours) - reference) / reference);
       };
-      add(f32::rayleigh_phase(c, 0.03F), f64::rayleigh_phase(c, 0.03F));
-      add(f32::henyey_greenstein_phase(c, g), f64::henyey_greenstein_phase(c, g));
-      add(f32::cornette_shanks_phase(c, g), f64::cornette_shanks_phase(c, g));
-      add(f32::schlick_phase(c, g), f64::schlick_phase(c, g));
+      const auto c64 = static_cast<double>(c);
+      const auto g64 = static_cast<double>(g);
+      add(f32::rayleigh_phase(c, 0.0625F), f64::rayleigh_phase(c64, 0.0625));
+      add(f32::henyey_greenstein_phase(c, g), f64::henyey_greenstein_phase(c64, g64));
+      add(f32::cornette_shanks_phase(c, g), f64::cornette_shanks_phase(c64, g64));
+      add(f32::schlick_phase(c, g), f64::schlick_phase(c64, g64));
     }
   }
   relative.hold("phase functions in single precision, relative", 5.0e-5, "");
