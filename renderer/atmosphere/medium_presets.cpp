@@ -48,7 +48,7 @@ HeightProfile standard_density() {
 }
 
 /// Molecules of ozone per m3, 1e17, from 2 km in steps of 2 km: US Standard Atmosphere 1976 (NOAA-S/T 76-1562,
-/// mid-latitude model).
+/// mid-latitude model, 348 Dobson units). Below 2 km as there.
 constexpr std::array<double, 37> ozone_density{
     6.8,   5.8,   5.7,   6.5,    11.3,   20.2,   23.5,   29.5,   40.4,   47.7,   48.6,  45.4,  40.3,
     32.4,  25.2,  20.3,  15.8,   12.2,   8.73,   6.07,   3.98,   2.74,   1.69,   1.03,  0.664, 0.384,
