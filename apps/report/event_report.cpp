@@ -5,6 +5,7 @@
 #include "common/option_text.hpp"
 
 #include "vesper/assets/default_stars.hpp"
+#include "vesper/astro/constants.hpp"
 #include "vesper/base/csv.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
@@ -109,24 +110,22 @@ struct Day {
 /// in night, or the last that does not begin.
 std::optional<Row> twilight_row(const BodyEvents& sun) {
   struct Level {
-    double altitude_deg;
+    Angle altitude;
     std::string_view not_below, not_above;
   };
-  constexpr std::array levels{Level{-6.0, "does not sink below -6", "does not climb above -6"},
-                              Level{-12.0, "does not sink below -12", "does not climb above -12"},
-                              Level{-18.0, "does not sink below -18", "does not climb above -18"}};
+  constexpr std::array levels{Level{civil_twilight_end, "does not sink below -6", "does not climb above -6"},
+                              Level{nautical_twilight_end, "does not sink below -12", "does not climb above -12"},
+                              Level{astronomical_twilight_end, "does not sink below -18", "does not climb above -18"}};
   if (sun.conduct == HorizonConduct::stays_above) {
     return std::nullopt;
   }
-  const auto* const bright = std::find_if(levels.begin(), levels.end(), [&](const Level& level) {
-    return sun.lowest.place.altitude > level.altitude_deg * deg;
-  });
+  const auto* const bright = std::find_if(
+      levels.begin(), levels.end(), [&](const Level& level) { return sun.lowest.place.altitude > level.altitude; });
   if (bright != levels.end()) {
     return Row{"sun", bright->not_below, std::nullopt, sun.lowest.place};
   }
-  const auto dark = std::find_if(levels.rbegin(), levels.rend(), [&](const Level& level) {
-    return sun.highest.place.altitude < level.altitude_deg * deg;
-  });
+  const auto dark = std::find_if(levels.rbegin(), levels.rend(),
+                                 [&](const Level& level) { return sun.highest.place.altitude < level.altitude; });
   return dark == levels.rend() ? std::nullopt
                                : std::optional(Row{"sun", dark->not_above, std::nullopt, sun.highest.place});
 }

@@ -151,11 +151,11 @@ std::string_view compass_point(Angle azimuth) {
 }
 
 std::string_view sky_condition(Angle sun_altitude) {
-  return sun_altitude > almanac_sunrise_altitude ? "day"
-         : sun_altitude > -6.0 * deg             ? "civil twilight"
-         : sun_altitude > -12.0 * deg            ? "nautical twilight"
-         : sun_altitude > -18.0 * deg            ? "astronomical twilight"
-                                                 : "night";
+  return sun_altitude > almanac_sunrise_altitude    ? "day"
+         : sun_altitude > civil_twilight_end        ? "civil twilight"
+         : sun_altitude > nautical_twilight_end     ? "nautical twilight"
+         : sun_altitude > astronomical_twilight_end ? "astronomical twilight"
+                                                    : "night";
 }
 
 std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
@@ -195,7 +195,7 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }
-  const bool hidden = sky.sun.altitude > -6.0 * deg;
+  const bool hidden = sky.sun.altitude > civil_twilight_end;
   fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
   for (const Up& up : stars_up(sky, catalogue)) {
     const Horizontal place = horizontal_of(up.direction);

@@ -33,4 +33,9 @@ inline constexpr Angle almanac_sun_semidiameter = 16.0 * arcmin;
 /// Airless altitude of the Sun's centre when its upper limb stands on the horizon.
 inline constexpr Angle almanac_sunrise_altitude = -(almanac_refraction + almanac_sun_semidiameter);
 
+/// Airless altitudes of the Sun's centre at which the twilights end.
+inline constexpr Angle civil_twilight_end = -6.0 * deg;
+inline constexpr Angle nautical_twilight_end = -12.0 * deg;
+inline constexpr Angle astronomical_twilight_end = -18.0 * deg;
+
 } // namespace vesper

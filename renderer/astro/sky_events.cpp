@@ -24,9 +24,9 @@ struct Twilight {
   SkyEventKind dusk;
 };
 constexpr std::array twilights{
-    Twilight{-6.0 * deg, SkyEventKind::civil_dawn, SkyEventKind::civil_dusk},
-    Twilight{-12.0 * deg, SkyEventKind::nautical_dawn, SkyEventKind::nautical_dusk},
-    Twilight{-18.0 * deg, SkyEventKind::astronomical_dawn, SkyEventKind::astronomical_dusk},
+    Twilight{civil_twilight_end, SkyEventKind::civil_dawn, SkyEventKind::civil_dusk},
+    Twilight{nautical_twilight_end, SkyEventKind::nautical_dawn, SkyEventKind::nautical_dusk},
+    Twilight{astronomical_twilight_end, SkyEventKind::astronomical_dawn, SkyEventKind::astronomical_dusk},
 };
 
 bool is(const SkyBody& body, Luminary luminary) {

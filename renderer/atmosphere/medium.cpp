@@ -35,8 +35,7 @@ double PhaseFunction::operator()(double cos_angle, double wavelength_nm) const {
   return 0.0;
 }
 
-void validate(const Medium& medium, double wavelength_nm) {
-  constexpr double largest = std::numeric_limits<double>::max();
+void validate_radii(const Medium& medium) {
   const double ground_km = medium.ground_radius.to(kilometre);
   const double top_km = medium.top_radius.to(kilometre);
   if (!(ground_km > 0.0 && top_km > ground_km) || !std::isfinite(top_km)) {
@@ -44,6 +43,11 @@ void validate(const Medium& medium, double wavelength_nm) {
                 "an atmosphere from " + std::to_string(ground_km) + " to " + std::to_string(top_km) + " km",
                 {"", "", "Give a positive radius of the ground and a larger one of the top"});
   }
+}
+
+void validate(const Medium& medium, double wavelength_nm) {
+  validate_radii(medium);
+  constexpr double largest = std::numeric_limits<double>::max();
   hold("the ground's albedo", medium.ground_albedo(wavelength_nm), 0.0, 1.0, wavelength_nm);
   for (const MediumComponent& part : medium.components) {
     hold("scattering of " + part.name, part.scattering_per_km(wavelength_nm), 0.0, largest, wavelength_nm);

@@ -50,6 +50,9 @@ struct Medium {
   std::vector<MediumComponent> components;
 };
 
+/// Throws Error(argument) for radii that bound no shell of air.
+void validate_radii(const Medium& medium);
+
 /// Checks the radii, and what depends on the wavelength at this one. Throws Error(argument) naming the component, the
 /// value and its range.
 void validate(const Medium& medium, double wavelength_nm);

@@ -90,13 +90,9 @@ Estimate column(const HeightProfile& profile, const Ray& ray, double ground_km) 
 }
 
 AirColumns columns(const Medium& medium, const Vec3& from_km, const Vec3& direction, double length_km) {
+  validate_radii(medium);
   const double ground_km = medium.ground_radius.to(kilometre);
   const double top_km = medium.top_radius.to(kilometre);
-  if (!(ground_km > 0.0 && top_km > ground_km) || !std::isfinite(top_km)) {
-    throw Error(ErrorKind::argument,
-                "an atmosphere from " + std::to_string(ground_km) + " to " + std::to_string(top_km) + " km",
-                {"", "", "Give a positive radius of the ground and a larger one of the top"});
-  }
   AirColumns result;
   result.km.assign(medium.components.size(), 0.0);
   result.error_km = result.km;

@@ -12,14 +12,8 @@ namespace vesper {
 namespace {
 
 using test::ErrorSum;
+using test::seconds_between;
 using test::TruthRow;
-
-constexpr double table_begin_jd = 2436934.5; // 1960-01-01
-constexpr double table_end_jd = 2473459.5;   // 2060-01-01
-
-bool inside_table(const TruthRow& row) {
-  return row.number("jd_tt") >= table_begin_jd && row.number("jd_tt") < table_end_jd;
-}
 
 /// A contact's stamp with the row's own Delta-T.
 Instant stamp_of(const TruthRow& row, std::string_view column) {
@@ -28,8 +22,6 @@ Instant stamp_of(const TruthRow& row, std::string_view column) {
   return ut1 ? instant_from({instant.ut1.day, instant.ut1.fraction + row.number("delta_t") / 86400.0}, instant.ut1)
              : instant;
 }
-
-double seconds_between(const Instant& a, const Instant& b) { return a.tt.days_since(b.tt) * 86400.0; }
 
 struct ContactColumn {
   const char* name;
@@ -52,7 +44,7 @@ TEST(LunarEclipse, MatchesTheReference) {
   std::map<std::string, ErrorSum> contacts;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const TruthRow row(table, i);
-    if (!inside_table(row)) {
+    if (!row.in_table_years()) {
       continue;
     }
     SCOPED_TRACE(row.text("canon_date"));

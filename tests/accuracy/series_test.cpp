@@ -53,17 +53,12 @@ struct PlaceErrors {
   }
 };
 
-bool in_table(const TruthRow& row) {
-  const double jd = row.number("jd_tt");
-  return jd > 2436934.5 && jd < 2473459.5; // 1960 to 2059
-}
-
 PlaceErrors moon_errors(const BodiesAt& bodies_at, bool outside_table_only) {
   const CsvTable table = test::truth_table("moon_topo.csv");
   PlaceErrors errors;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const TruthRow row(table, i);
-    if (outside_table_only && in_table(row)) {
+    if (outside_table_only && row.in_table_years()) {
       continue;
     }
     const EarthState earth = earth_with(bodies_at, row);

@@ -11,12 +11,8 @@ namespace vesper {
 namespace {
 
 using test::ErrorSum;
+using test::seconds_between;
 using test::TruthRow;
-
-constexpr double table_begin_jd = 2436934.5; // 1960-01-01
-constexpr double table_end_jd = 2473459.5;   // 2060-01-01
-
-double seconds_between(const Instant& a, const Instant& b) { return a.tt.days_since(b.tt) * 86400.0; }
 
 SolarEclipseType type_of(char letter) {
   return letter == 'T'   ? SolarEclipseType::total
@@ -36,7 +32,7 @@ TEST(SolarEclipse, MatchesTheReference) {
     EXPECT_EQ(name_of(eclipse.type), name_of(type_of(canon_type.front())));
     // '+' and '-' mark umbrae whose axis misses the Earth.
     EXPECT_EQ(eclipse.central, canon_type.front() != 'P' && canon_type.find_first_of("+-") == std::string::npos);
-    if (row.number("jd_tt") < table_begin_jd || row.number("jd_tt") >= table_end_jd) {
+    if (!row.in_table_years()) {
       continue;
     }
     gamma.add(eclipse.gamma - row.number("gamma"));

@@ -13,8 +13,7 @@ namespace vesper {
 namespace {
 
 using test::ErrorSum;
-
-double seconds_between(const Instant& a, const Instant& b) { return a.tt.days_since(b.tt) * 86400.0; }
+using test::seconds_between;
 
 /// The common area of two discs over the first one's, by adding up chords (midpoint rule in the angle).
 double covered_by_chords(double radius, double other, double separation) {

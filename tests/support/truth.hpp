@@ -39,12 +39,20 @@ public:
   [[nodiscard]] Instant stamp() const {
     return parse_instant(text("utc"), text("scale") == "UT1" ? TimeScale::ut1 : TimeScale::utc);
   }
+  /// Whether the row lies in the years that the embedded ephemeris is for, 1960 to 2059.
+  [[nodiscard]] bool in_table_years() const {
+    const double jd_tt = number("jd_tt");
+    return jd_tt >= 2436934.5 && jd_tt < 2473459.5;
+  }
   [[nodiscard]] Observer observer() const { return {degrees("lat"), degrees("lon"), number("height_m") * metre}; }
 
 private:
   const CsvTable& table_;
   std::size_t row_;
 };
+
+/// Seconds of TT from `b` to `a`.
+inline double seconds_between(const Instant& a, const Instant& b) { return a.tt.days_since(b.tt) * seconds_per_day; }
 
 /// The unit vector of a longitude and a latitude.
 inline Vec3 direction(Angle longitude, Angle latitude) {
