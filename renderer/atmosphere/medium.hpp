@@ -48,6 +48,8 @@ struct Medium {
   Length top_radius;
   WavelengthLaw ground_albedo; ///< of a Lambertian ground, 0 to 1
   std::vector<MediumComponent> components;
+  /// Where light transport is to be solved, ascending: dense enough that what happens between is linear.
+  std::vector<double> wavelengths_nm;
 };
 
 /// Throws Error(argument) for radii that bound no shell of air.

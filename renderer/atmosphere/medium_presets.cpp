@@ -81,6 +81,15 @@ WavelengthLaw angstrom(double per_km, const ClearAir& air) {
   };
 }
 
+/// The range of the response functions.
+std::vector<double> every_10_nm() {
+  std::vector<double> wavelengths;
+  for (double nm = 360.0; nm <= 830.0; nm += 10.0) {
+    wavelengths.push_back(nm);
+  }
+  return wavelengths;
+}
+
 } // namespace
 
 Medium published_medium() {
@@ -96,7 +105,8 @@ Medium published_medium() {
             red_green_blue(0.444e-3, 0.444e-3, 0.444e-3),
             {PhaseKind::cornette_shanks, constant(0.8)}},
            {"ozone", HeightProfile::tent(10.0, 25.0, 40.0), constant(0.0), red_green_blue(0.650e-3, 1.881e-3, 0.085e-3),
-            molecular}}};
+            molecular}},
+          {440.0, 550.0, 680.0}};
 }
 
 double king_factor(double wavelength_nm) {
@@ -162,7 +172,8 @@ Medium clear_medium(const ClearAir& air) {
             [low_per_km](double nm) { return (1.0 - low_albedo) * low_per_km(nm); }, droplets},
            {"stratospheric aerosol", HeightProfile::tent(high_from_km, high_peak_km, high_to_km), high_per_km,
             constant(0.0), droplets},
-           {"ozone", ozone_profile(), constant(0.0), ozone_per_km, molecular}}};
+           {"ozone", ozone_profile(), constant(0.0), ozone_per_km, molecular}},
+          every_10_nm()};
 }
 
 } // namespace vesper
