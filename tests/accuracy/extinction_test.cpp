@@ -2,6 +2,7 @@
 #include "vesper/astro/refraction.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/star_extinction.hpp"
+#include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/base/shader_math.hpp"
 
 #include "support/truth.hpp"
@@ -105,6 +106,29 @@ TEST(StarExtinction, OfPureAirAgreesWithBodhaine) {
     error.add(100.0 * (depth[channel] / bodhaine_optical_depth(1.0e-3 * star_wavelengths_nm[channel]) - 1.0));
   }
   error.hold("optical depth of stars through pure air against Bodhaine et al. 1999", 0.2, "%");
+}
+
+TEST(StarExtinction, OfTheShellAgreesWithRaysThroughTheMedium) {
+  test::ErrorSum high;
+  test::ErrorSum low;
+  for (const Medium& medium : {clear_medium(), published_medium()}) {
+    for (const double height_km : {0.0, 2.4}) {
+      const Vec4 shell = star_optical_depth_xyzs(medium, height_km * kilometre);
+      const Vec3 eye(0.0, 0.0, medium.ground_radius.to(kilometre) + height_km);
+      for (double altitude = 10.0; altitude <= 90.0; altitude += 1.0) {
+        const double radians = altitude * std::numbers::pi / 180.0;
+        const Vec3 direction = glm::normalize(Vec3(std::cos(radians), 0.0, std::sin(radians)));
+        const AirColumns columns = columns_to_space(medium, eye, direction);
+        for (int channel = 0; channel < 4; ++channel) {
+          const double exact = optical_depth(medium, columns, star_wavelengths_nm[channel]).value;
+          const double ours = shell[channel] * f64::optical_path(direction.z, height_km);
+          (altitude >= 20.0 ? high : low).add(2.5 / std::numbers::ln10 * (ours - exact));
+        }
+      }
+    }
+  }
+  high.hold("extinction of stars above 20 degrees against rays through the medium", 0.005, "mag");
+  low.hold("extinction of stars from 10 to 20 degrees against rays through the medium", 0.03, "mag");
 }
 
 TEST(StarExtinction, BlueIsDimmedMost) {
