@@ -46,7 +46,7 @@ WavelengthLaw angstrom(double per_km, const ClearAir& air) {
 
 std::vector<double> transport_wavelengths_nm() {
   std::vector<double> wavelengths;
-  for (double nm = 360.0; nm <= 830.0; nm += 10.0) {
+  for (int nm = 360; nm <= 830; nm += 10) {
     wavelengths.push_back(nm);
   }
   return wavelengths;
