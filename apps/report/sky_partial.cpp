@@ -6,6 +6,7 @@
 #include "vesper/base/error.hpp"
 #include "vesper/base/files.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -86,12 +87,6 @@ void PartialResults::add(std::size_t unit, const std::vector<double>& values) {
     fail(path_);
   }
   finished_[unit] = values;
-}
-
-void PartialResults::remove() {
-  file_.close();
-  std::error_code ignored; // the results are safe elsewhere
-  std::filesystem::remove(path_, ignored);
 }
 
 } // namespace vesper

@@ -24,8 +24,6 @@ public:
   [[nodiscard]] const std::map<std::size_t, std::vector<double>>& finished() const { return finished_; }
   /// Throws Error(file).
   void add(std::size_t unit, const std::vector<double>& values);
-  /// Takes the file away.
-  void remove();
 
 private:
   std::filesystem::path path_;

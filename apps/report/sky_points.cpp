@@ -6,7 +6,7 @@
 
 namespace vesper {
 
-Vec3 HorizonPlace::direction() const {
+Vec3 SeenPlace::direction() const {
   const Vec3 north_east_up = unit_vector((azimuth_deg * deg).to(rad), (altitude_deg * deg).to(rad));
   return {north_east_up.y, north_east_up.x, north_east_up.z};
 }
@@ -21,9 +21,12 @@ std::vector<SkyPoint> points_of_table(const CsvTable& table) {
   const auto sun_altitude = table.find_column("sun_altitude_deg");
   const auto sun_azimuth = table.find_column("sun_azimuth_deg");
   const auto place_of = [&](std::size_t row, std::size_t altitude_column, std::optional<std::size_t> azimuth_column) {
-    return HorizonPlace{table.number(row, altitude_column, -90.0, 90.0),
+    return SeenPlace{table.number(row, altitude_column, -90.0, 90.0),
                         azimuth_column ? table.number(row, *azimuth_column, -360.0, 360.0) : 180.0};
   };
+  if (table.row_count() == 0) {
+    throw Error(ErrorKind::input, "the table has no rows", {table.file(), "", "Give a row a direction"});
+  }
   std::vector<SkyPoint> points;
   points.reserve(table.row_count());
   for (std::size_t row = 0; row < table.row_count(); ++row) {

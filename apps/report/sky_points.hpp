@@ -12,7 +12,7 @@
 namespace vesper {
 
 /// Altitude and azimuth (north through east), as they were given.
-struct HorizonPlace {
+struct SeenPlace {
   double altitude_deg = 0.0;
   double azimuth_deg = 0.0;
 
@@ -21,8 +21,8 @@ struct HorizonPlace {
 
 /// A direction to look into.
 struct SkyPoint {
-  HorizonPlace place;
-  std::optional<HorizonPlace> sun; ///< where the Sun then stands, if this point has a Sun of its own
+  SeenPlace place;
+  std::optional<SeenPlace> sun; ///< where the Sun then stands, if this point has a Sun of its own
   std::array<int, 2> pixel{};      ///< column and row, for a picture
 };
 

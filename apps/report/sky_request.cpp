@@ -37,7 +37,7 @@ std::uint64_t count_of(std::string_view option, const std::string& text, std::ui
   return *value;
 }
 
-HorizonPlace place_of(const std::string& body, const std::string& altitude, const std::string& azimuth) {
+SeenPlace place_of(const std::string& body, const std::string& altitude, const std::string& azimuth) {
   return {number_of("--" + body + "-altitude", altitude, -90.0, 90.0, " degrees"),
           number_of("--" + body + "-azimuth", azimuth, -360.0, 360.0, " degrees, north through east")};
 }
@@ -49,12 +49,12 @@ std::vector<SkyLight> lights_set_by_hand(const SkyOptions& options, bool sun_in_
   }
   if (sun_in_table || !options.sun_altitude.empty()) {
     // In a table every row turns it to its own place.
-    const HorizonPlace place =
+    const SeenPlace place =
         place_of("sun", sun_in_table ? "0" : options.sun_altitude, options.sun_azimuth);
     lights.push_back(sun_light(place.direction(), astronomical_unit));
   }
   if (!options.moon_altitude.empty()) {
-    const HorizonPlace place = place_of("moon", options.moon_altitude, options.moon_azimuth);
+    const SeenPlace place = place_of("moon", options.moon_altitude, options.moon_azimuth);
     const double phase_angle = number_of("--moon-phase-angle", options.moon_phase_angle, 0.0, 180.0, " degrees");
     lights.push_back(moon_light(place.direction(), mean_moon_distance, astronomical_unit, phase_angle * deg));
   }
@@ -73,7 +73,7 @@ std::vector<SkyLight> chosen_lights(const SkyOptions& options, const SceneOption
     lights = lights_of(sky);
   }
   if (!options.sun_radius.empty()) {
-    const Angle radius = number_of("--sun-radius", options.sun_radius, 0.0, 10.0, " degrees") * deg;
+    const Angle radius = number_of("--sun-radius", options.sun_radius, 0.0, 1.0, " degrees") * deg;
     for (SkyLight& light : lights) {
       light.angular_radius = light.name == "sun" ? radius : light.angular_radius;
     }
@@ -240,7 +240,7 @@ CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
       ->type_name("DEG");
   sky->add_option("--sun-azimuth", options.sun_azimuth, "Its azimuth, -360 to 360; default 180")->type_name("DEG");
   sky->add_option("--sun-radius", options.sun_radius,
-                  "Angular radius of the Sun, 0 (a parallel beam) to 10; default that at its distance, 0.2666 at 1 au")
+                  "Angular radius of the Sun, 0 (a parallel beam) to 1; default that at its distance, 0.2666 at 1 au")
       ->type_name("DEG");
   sky->add_option("--moon-altitude", options.moon_altitude, "Set the Moon by hand, at its mean distance, -90 to 90")
       ->type_name("DEG");
@@ -320,7 +320,7 @@ std::string fingerprint(const SkyRequest& request) {
     text += quantity.name + " " + quantity.unit + "\n";
   }
   for (const SkyPoint& point : request.points) {
-    const HorizonPlace sun = point.sun.value_or(HorizonPlace{-999.0, 0.0});
+    const SeenPlace sun = point.sun.value_or(SeenPlace{-999.0, 0.0});
     append_all(text, std::array{point.place.altitude_deg, point.place.azimuth_deg, sun.altitude_deg, sun.azimuth_deg});
   }
   return sha256_hex(std::as_bytes(std::span(text.data(), text.size())));
