@@ -20,17 +20,16 @@ void hold(const std::string& what, double value, double lowest, double highest, 
 
 } // namespace
 
-double PhaseFunction::operator()(double cos_angle, double wavelength_nm) const {
-  const double p = parameter(wavelength_nm);
+double phase_function(PhaseKind kind, double cos_angle, double parameter) {
   switch (kind) {
   case PhaseKind::rayleigh:
-    return f64::rayleigh_phase(cos_angle, p);
+    return f64::rayleigh_phase(cos_angle, parameter);
   case PhaseKind::henyey_greenstein:
-    return f64::henyey_greenstein_phase(cos_angle, p);
+    return f64::henyey_greenstein_phase(cos_angle, parameter);
   case PhaseKind::cornette_shanks:
-    return f64::cornette_shanks_phase(cos_angle, p);
+    return f64::cornette_shanks_phase(cos_angle, parameter);
   case PhaseKind::schlick:
-    return f64::schlick_phase(cos_angle, p);
+    return f64::schlick_phase(cos_angle, parameter);
   }
   return 0.0;
 }

@@ -20,13 +20,17 @@ enum class PhaseKind {
   schlick,
 };
 
-/// Into which directions a component scatters (shaders/lib/phase.glsl).
+/// Per steradian; the angle is that between the light's old and new direction (shaders/lib/phase.glsl).
+[[nodiscard]] double phase_function(PhaseKind kind, double cos_angle, double parameter);
+
+/// Into which directions a component scatters.
 struct PhaseFunction {
   PhaseKind kind = PhaseKind::rayleigh;
   WavelengthLaw parameter;
 
-  /// Per steradian; the angle is that between the light's old and new direction.
-  [[nodiscard]] double operator()(double cos_angle, double wavelength_nm) const;
+  [[nodiscard]] double operator()(double cos_angle, double wavelength_nm) const {
+    return phase_function(kind, cos_angle, parameter(wavelength_nm));
+  }
 };
 
 /// One kind of matter in the air. Coefficients are those where its profile is 1, per km, >= 0.

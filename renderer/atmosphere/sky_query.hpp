@@ -8,10 +8,10 @@ namespace vesper {
 
 /// Directions are unit vectors in a frame at the observer's place whose z axis points to the zenith; rays are straight.
 struct SkyQuery {
-  Length height;               ///< of the observer above the ground, >= 0; any, also outside the air
-  Vec3 light_direction;        ///< towards the centre of the light's disc
-  Angle light_angular_radius;  ///< of a uniform disc, 0 (a parallel beam) to 10 degrees
-  Vec3 view_direction;         ///< where light is looked for; without meaning for an irradiance
+  Length height;              ///< of the observer above the ground, >= 0; any, also outside the air
+  Vec3 light_direction;       ///< towards the centre of the light's disc
+  Angle light_angular_radius; ///< of a uniform disc, 0 (a parallel beam) to 1 degree
+  Vec3 view_direction;        ///< where light is looked for; without meaning for an irradiance
 };
 
 } // namespace vesper

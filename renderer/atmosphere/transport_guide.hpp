@@ -1,0 +1,95 @@
+// A coarse solution of the light transport, made to tell random paths where the light is.
+#pragma once
+
+#include "vesper/atmosphere/spectral_air.hpp"
+#include "vesper/base/vector.hpp"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace vesper {
+
+/// Light of a parallel beam of irradiance 1 over height and solar zenith angle, at a few wavelengths of a medium:
+/// transmitted, scattered, and the directions that scattered light comes from. Good to some ten percent, a guess of
+/// density for importance sampling and of nothing else: its sources scatter alike into all directions, but for the
+/// beam's own light.
+class TransportGuide {
+public:
+  static constexpr std::size_t most_wavelengths = 4;
+  /// A number a wavelength of the guide.
+  using Values = std::array<double, most_wavelengths>;
+
+  /// \param wavelengths which of the optics' wavelengths, 1 to most_wavelengths
+  TransportGuide(const SampledAir& air, const SpectralAir& optics, std::vector<std::size_t> wavelengths,
+                 unsigned threads);
+
+  [[nodiscard]] const std::vector<std::size_t>& wavelengths() const { return wavelengths_; }
+
+  struct Light {
+    Values beam;      ///< transmittance to the light
+    Values scattered; ///< mean radiance of scattered and reflected light over the sphere
+  };
+  [[nodiscard]] Light light(double radius_km, double cos_light_zenith) const;
+
+  /// Irradiance of the ground, direct and diffuse.
+  [[nodiscard]] Values ground_irradiance(double cos_light_zenith) const;
+
+  /// A direction at a point that favours where light comes from. Directions are by cosine of the zenith angle and
+  /// azimuth from the light's.
+  struct Direction {
+    double cos_zenith;
+    double azimuth_rad;
+  };
+  /// A cell of the guide, for its histogram of directions.
+  [[nodiscard]] std::size_t cell(double radius_km, double cos_light_zenith) const;
+  /// \return whether any light arrives in this cell at the guide's wavelength k; without it there is nothing to sample
+  [[nodiscard]] bool lit(std::size_t cell, std::size_t k) const;
+  /// \param u, v, w uniform in [0, 1)
+  [[nodiscard]] Direction sample(std::size_t cell, std::size_t k, double u, double v, double w) const;
+  /// Density of `sample`, 1/sr; 0 in unlit cells.
+  [[nodiscard]] Values density(std::size_t cell, Direction direction) const;
+
+private:
+  static constexpr std::size_t heights = 24;
+  static constexpr std::size_t angles = 129; ///< in equal steps of the cosine of the light's zenith angle, -1 to 1
+  static constexpr std::size_t below_bins = 10;
+  static constexpr std::size_t above_bins = 14;
+  static constexpr std::size_t zenith_bins = below_bins + above_bins;
+  static constexpr std::size_t azimuth_bins = 8; ///< from the light's azimuth to its opposite, on both sides
+  static constexpr std::size_t bins = zenith_bins * azimuth_bins;
+
+  struct Corner {
+    std::size_t height;
+    std::size_t angle;
+    double height_fraction;
+    double angle_fraction;
+  };
+  struct Step;
+  struct ViewRay;
+
+  struct HeightPlace {
+    std::size_t below;
+    double fraction;
+  };
+  [[nodiscard]] HeightPlace height_place(double height_km) const;
+  [[nodiscard]] static Corner corner(HeightPlace height, double cos_light_zenith);
+  [[nodiscard]] std::size_t zenith_bin(std::size_t height, double cos_zenith) const;
+  [[nodiscard]] Values between(const std::vector<Values>& table, const Corner& corner) const;
+  [[nodiscard]] ViewRay view_ray(std::size_t height, std::size_t zenith_bin) const;
+  void solve_beam(unsigned threads);
+  void solve_scattered(unsigned threads);
+
+  const SampledAir& air_;
+  const SpectralAir& optics_;
+  std::vector<std::size_t> wavelengths_;
+  std::array<double, heights> heights_km_{};
+  std::vector<unsigned char> height_below_; ///< by height in small steps: the next node at or below
+  std::array<std::array<double, zenith_bins + 1>, heights> zenith_edges_{}; ///< cosines, ascending
+  std::vector<Values> beam_;                                                ///< by height, then angle
+  std::vector<Values> scattered_;                                           ///< likewise
+  std::vector<Values> ground_;                                              ///< by angle
+  std::vector<float> cumulative_; ///< by cell, wavelength, bin; up to 1, or all 0
+};
+
+} // namespace vesper
