@@ -24,10 +24,14 @@ public:
   /// One process leads: it reads what was done before, writes, and speaks to the user. The others say nothing.
   [[nodiscard]] virtual bool leads() const = 0;
 
+  /// How many threads this process may take: as many as asked for, and for 0 one per core of a process alone, one of
+  /// each of several.
+  [[nodiscard]] virtual unsigned threads(unsigned asked) const = 0;
+
   /// To be called once, in all processes: does `units`, and in the leading process hands each result to `done`, one at
   /// a time, in any order. The first failure anywhere is thrown there, after all have stopped.
   /// \param units  those of the leading process count
-  /// \param threads of each process; 0 for one per core of a process alone, one of each of several
+  /// \param threads of each process, at least 1
   virtual void work(const std::vector<std::size_t>& units, unsigned threads, const Work& work, const Done& done) = 0;
 };
 
@@ -46,6 +50,8 @@ struct ThreadPlan {
   return units < threads ? ThreadPlan{1, threads} : ThreadPlan{threads, 1};
 }
 
+/// One per core for 0.
+[[nodiscard]] unsigned threads_alone(unsigned asked);
 /// The work of a process alone.
 void work_alone(const std::vector<std::size_t>& units, unsigned threads, const Crew::Work& work,
                 const Crew::Done& done);

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <bit>
-#include <numeric>
 
 namespace vesper {
 namespace {
@@ -41,34 +40,15 @@ std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure m
   return weighted;
 }
 
-SkyQuery query_of(const SkyState& sky, const SkyLight& light) {
-  return {height_in_air(sky.observer), light.direction, light.angular_radius, {0.0, 0.0, 1.0}};
-}
-
 double horizontal_illuminance_lux(const ReportedScene& scene) {
-  const ReferenceTransport& transport = scene.air.transport();
-  const std::vector<WeightedLight> lights = lights_for_eyes(scene, illuminance);
-  double direct = 0.0;
-  for (const WeightedLight& weighted : lights) {
-    const std::vector<double> spectrum = transport.direct_irradiance(query_of(scene.sky, weighted.light));
-    direct = std::inner_product(spectrum.begin(), spectrum.end(), weighted.functionals[0].begin(), direct);
-  }
-  const SkyEstimate diffuse =
-      sum_of_lights(lights, 1, scene.air.budget(),
-                    [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals,
-                        const PathBudget& budget) {
-                      return transport.diffuse_irradiance(query_of(scene.sky, light), functionals, budget);
-                    });
-  return direct + diffuse.quantities[0].mean;
+  return level_light(scene.air.transport(), height_in_air(scene.sky.observer), lights_for_eyes(scene, illuminance),
+                     scene.air.budget())
+      .total.mean;
 }
 
 double zenith_luminance_cd_m2(const ReportedScene& scene) {
-  const ReferenceTransport& transport = scene.air.transport();
-  return sum_of_lights(lights_for_eyes(scene, zenith_luminance), 1, scene.air.budget(),
-                       [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals,
-                           const PathBudget& budget) {
-                         return transport.radiance(query_of(scene.sky, light), functionals, budget);
-                       })
+  return sky_radiance(scene.air.transport(), height_in_air(scene.sky.observer), {0.0, 0.0, 1.0},
+                      lights_for_eyes(scene, zenith_luminance), 1, scene.air.budget())
       .quantities[0]
       .mean;
 }

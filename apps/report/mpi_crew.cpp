@@ -51,6 +51,10 @@ public:
 
   [[nodiscard]] bool leads() const override { return rank_ == leader; }
 
+  [[nodiscard]] unsigned threads(unsigned asked) const override {
+    return size_ == 1 ? threads_alone(asked) : std::max(asked, 1U);
+  }
+
   void work(const std::vector<std::size_t>& units, unsigned threads, const Work& work, const Done& done) override {
     begun_ = true;
     if (const int unready = first_unready(true); unready < size_) {
@@ -67,7 +71,7 @@ public:
     std::uint64_t count = units.size();
     MPI_Bcast(&count, 1, MPI_UINT64_T, leader, MPI_COMM_WORLD);
     const auto processes = static_cast<std::size_t>(size_);
-    const ThreadPlan plan = plan_threads((count + processes - 1) / processes, std::max(threads, 1U));
+    const ThreadPlan plan = plan_threads((count + processes - 1) / processes, threads);
     const int followers_here = leads() ? 0 : static_cast<int>(plan.at_once);
     int followers = 0;
     MPI_Allreduce(&followers_here, &followers, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 namespace vesper {
 namespace {
@@ -34,38 +36,8 @@ double allowed_error(const TransportResult& light, const std::vector<double>& su
   return relative_error * std::max(factor, 1.0);
 }
 
-} // namespace
-
-SkyLight sun_light(const Vec3& direction, Length distance) {
-  const Spectrum& at_1au = solar_irradiance_1au();
-  const double scale = std::pow(astronomical_unit / distance, 2);
-  std::vector<double> irradiance = at_1au.values();
-  for (double& value : irradiance) {
-    value *= scale;
-  }
-  return {"sun", direction, angular_radius(sun_radius, distance), {at_1au.wavelengths_nm(), std::move(irradiance)}};
-}
-
-SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle) {
-  return {"moon", direction, angular_radius(moon_mean_radius, distance),
-          moon_irradiance(phase_angle, distance, from_sun)};
-}
-
-std::vector<SkyLight> lights_of(const SkyState& sky) {
-  const Refraction refraction = with_table(sky.refraction);
-  const BodyPlace& moon = sky.moon.place;
-  const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
-  const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{
-      sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
-      moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
-                 glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
-  const Length height = height_in_air(sky.observer);
-  std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
-  return lights;
-}
-
-Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }
+using LightTransport =
+    std::function<TransportResult(const SkyLight&, const std::vector<SpectralFunctional>&, const PathBudget&)>;
 
 SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t quantities, const PathBudget& budget,
                           const LightTransport& transport) {
@@ -102,6 +74,67 @@ SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t 
     sum.paths += result.paths;
   }
   return sum;
+}
+
+} // namespace
+
+SkyLight sun_light(const Vec3& direction, Length distance) {
+  const Spectrum& at_1au = solar_irradiance_1au();
+  const double scale = std::pow(astronomical_unit / distance, 2);
+  std::vector<double> irradiance = at_1au.values();
+  for (double& value : irradiance) {
+    value *= scale;
+  }
+  return {"sun", direction, angular_radius(sun_radius, distance), {at_1au.wavelengths_nm(), std::move(irradiance)}};
+}
+
+SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle) {
+  return {"moon", direction, angular_radius(moon_mean_radius, distance),
+          moon_irradiance(phase_angle, distance, from_sun)};
+}
+
+std::vector<SkyLight> lights_of(const SkyState& sky) {
+  const Refraction refraction = with_table(sky.refraction);
+  const BodyPlace& moon = sky.moon.place;
+  const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
+  const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
+  std::vector<SkyLight> lights{
+      sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
+      moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
+                 glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  const Length height = height_in_air(sky.observer);
+  std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
+  return lights;
+}
+
+Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }
+
+SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, const Vec3& view_direction,
+                         const std::vector<WeightedLight>& lights, std::size_t quantities, const PathBudget& budget) {
+  return sum_of_lights(
+      lights, quantities, budget,
+      [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals, const PathBudget& own) {
+        return transport.radiance({height, light.direction, light.angular_radius, view_direction}, functionals, own);
+      });
+}
+
+LevelLight level_light(const ReferenceTransport& transport, Length height, const std::vector<WeightedLight>& lights,
+                       const PathBudget& budget) {
+  const auto query_of = [&](const SkyLight& light) {
+    return SkyQuery{height, light.direction, light.angular_radius, {0.0, 0.0, 1.0}};
+  };
+  LevelLight level;
+  for (const WeightedLight& weighted : lights) {
+    const std::vector<double> spectrum = transport.direct_irradiance(query_of(weighted.light));
+    level.direct = std::inner_product(spectrum.begin(), spectrum.end(), weighted.functionals[0].begin(), level.direct);
+  }
+  const SkyEstimate diffuse = sum_of_lights(
+      lights, 1, budget, [&](const SkyLight& light, const std::vector<SpectralFunctional>& all, const PathBudget& own) {
+        return transport.diffuse_irradiance(query_of(light), {all[0]}, own);
+      });
+  level.total = {level.direct + diffuse.quantities[0].mean, diffuse.quantities[0].standard_error};
+  level.paths = diffuse.paths;
+  return level;
 }
 
 } // namespace vesper

@@ -5,7 +5,6 @@
 #include "vesper/light/spectrum.hpp"
 #include "vesper/sky/sky_state.hpp"
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,12 +42,21 @@ struct SkyEstimate {
   std::vector<Estimate> quantities; ///< one for each functional
   std::uint64_t paths = 0;
 };
-using LightTransport =
-    std::function<TransportResult(const SkyLight&, const std::vector<SpectralFunctional>&, const PathBudget&)>;
 
-/// Sums what `transport` finds for each light, so that the sum is as well known as the budget asks: faint lights are
-/// then known less well. The budget's greatest number of paths holds for each light.
-[[nodiscard]] SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t quantities,
-                                        const PathBudget& budget, const LightTransport& transport);
+/// Radiance of the sky, summed over the lights so that the sum is as well known as the budget asks; of faint lights
+/// less is then known. The budget's greatest number of paths holds for each light; its stream does not count.
+/// \param quantities number of each light's functionals
+[[nodiscard]] SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, const Vec3& view_direction,
+                                       const std::vector<WeightedLight>& lights, std::size_t quantities,
+                                       const PathBudget& budget);
+
+/// Light on a level surface, in the units of the lights' first functional.
+struct LevelLight {
+  double direct = 0.0; ///< of the lights themselves, without error of chance
+  Estimate total;      ///< with that of sky and ground; the budget's relative error is that of the sky's part
+  std::uint64_t paths = 0;
+};
+[[nodiscard]] LevelLight level_light(const ReferenceTransport& transport, Length height,
+                                     const std::vector<WeightedLight>& lights, const PathBudget& budget);
 
 } // namespace vesper

@@ -20,10 +20,10 @@ namespace {
 /// The transport of a request, solved when a first unit needs it.
 class SkyWork {
 public:
-  explicit SkyWork(const SkyRequest& request) : request_(request) {}
+  SkyWork(const SkyRequest& request, unsigned threads) : request_(request), threads_(threads) {}
 
   [[nodiscard]] std::vector<double> operator()(std::size_t index, unsigned threads) {
-    std::call_once(made_, [this] { transport_.emplace(request_.medium, request_.wavelengths_nm); });
+    std::call_once(made_, [this] { transport_.emplace(request_.medium, request_.wavelengths_nm, threads_); });
     const auto start = std::chrono::steady_clock::now();
     const SkyPoint& point = request_.points[index];
     std::vector<WeightedLight> lights = request_.lights;
@@ -36,16 +36,19 @@ public:
     }
     PathBudget budget = request_.budget;
     budget.threads = threads;
-    const SkyEstimate estimate = sum_of_lights(
-        lights, request_.quantities.size(), budget,
-        [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals, const PathBudget& own) {
-          const SkyQuery query{request_.height, light.direction, light.angular_radius, point.place.direction()};
-          return transport_->radiance(query, functionals, own);
-        });
+    SkyEstimate estimate = sky_radiance(*transport_, request_.height, point.place.direction(), lights,
+                                        request_.quantities.size(), budget);
     std::vector<double> values;
     for (const Estimate& quantity : estimate.quantities) {
-      values.push_back(quantity.mean);
-      values.push_back(quantity.standard_error);
+      values.insert(values.end(), {quantity.mean, quantity.standard_error});
+    }
+    if (request_.illuminance) {
+      for (WeightedLight& weighted : lights) {
+        weighted.stream += illuminance_streams;
+      }
+      const LevelLight level = level_light(*transport_, request_.height, lights, budget);
+      values.insert(values.end(), {level.total.mean, level.total.standard_error, level.direct});
+      estimate.paths += level.paths;
     }
     values.push_back(static_cast<double>(estimate.paths));
     if (request_.timings) {
@@ -55,7 +58,10 @@ public:
   }
 
 private:
+  static constexpr std::uint64_t illuminance_streams = std::uint64_t{1} << 63U;
+
   const SkyRequest& request_;
+  unsigned threads_;
   std::once_flag made_;
   std::optional<ReferenceTransport> transport_;
 };
@@ -66,6 +72,10 @@ std::vector<std::string> value_names(const SkyRequest& request) {
   for (const SkyQuantity& quantity : request.quantities) {
     names.push_back(quantity.name + "_" + quantity.unit);
     names.push_back(quantity.name + "_error_" + quantity.unit);
+  }
+  if (request.illuminance) {
+    names.insert(names.end(),
+                 {"horizontal_illuminance_lux", "horizontal_illuminance_error_lux", "direct_illuminance_lux"});
   }
   names.emplace_back("paths");
   if (request.timings) {
@@ -114,9 +124,10 @@ SkyResults sky_results(const SkyRequest& request, const std::string& partial, Cr
   }
   ProgressBar progress("directions", results.size());
   progress.advance(results.size() - left.size());
-  SkyWork work(request);
+  const unsigned threads = crew.threads(request.budget.threads);
+  SkyWork work(request, threads);
   crew.work(
-      left, request.budget.threads, [&](std::size_t index, unsigned threads) { return work(index, threads); },
+      left, threads, [&](std::size_t index, unsigned for_it) { return work(index, for_it); },
       [&](std::size_t index, const std::vector<double>& values) {
         results[index] = values;
         if (kept) {
@@ -171,7 +182,9 @@ std::string sky_report_json(const SkyRequest& request, const SkyResults& results
       row[std::string(name)] = value;
     }
     for (std::size_t k = 0; k < names.size(); ++k) {
-      row[names[k]] = results[i].at(k);
+      const double value = results[i].at(k);
+      row[names[k]] = names[k] == "paths" ? nlohmann::ordered_json(static_cast<std::uint64_t>(value))
+                                       : nlohmann::ordered_json(value);
     }
     json["directions"].push_back(std::move(row));
   }

@@ -253,6 +253,9 @@ CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
   sky->add_flag("--unit-irradiance", options.unit_irradiance,
                 "Radiance alone, 1/sr, of one light that gives 1 at each wavelength above the air; at all wavelengths "
                 "of the medium unless --wavelengths names some");
+  sky->add_flag("--illuminance", options.illuminance,
+                "Illuminance of a level surface too: horizontal_illuminance_lux with its error, and "
+                "direct_illuminance_lux, the part of it that comes from Sun and Moon themselves");
   sky->add_flag("--timings", options.timings, "A column of seconds too; no two runs then write the same");
   return sky;
 }
@@ -279,7 +282,12 @@ SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, c
   if (options.unit_irradiance && picture_by_output) {
     throw Error(ErrorKind::argument, "--unit-irradiance: not for a picture, which holds X, Y, Z, S in cd/m2");
   }
+  if (options.illuminance && (options.unit_irradiance || options.picture || picture_by_output)) {
+    throw Error(ErrorKind::argument, "--illuminance: not for a picture, where it is the same everywhere, and not with "
+                                     "--unit-irradiance");
+  }
   SkyRequest request;
+  request.illuminance = options.illuminance;
   request.budget = path_budget(budget, scene);
   request.medium = medium_of(scene);
   request.timings = options.timings;
@@ -305,7 +313,8 @@ SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, c
 std::string fingerprint(const SkyRequest& request) {
   std::string text = "vesper " VESPER_VERSION "\n" + description(request.medium, request.wavelengths_nm);
   append_all(text, request.wavelengths_nm);
-  append_all(text, std::array{request.height.to(metre), request.budget.relative_error, request.timings ? 1.0 : 0.0});
+  append_all(text, std::array{request.height.to(metre), request.budget.relative_error, request.timings ? 1.0 : 0.0,
+                              request.illuminance ? 1.0 : 0.0});
   text += fmt::format("{} {} {} {}\n", request.budget.least_paths, request.budget.most_paths, request.budget.orders,
                       request.budget.seed);
   for (const WeightedLight& weighted : request.lights) {

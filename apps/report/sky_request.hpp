@@ -36,6 +36,7 @@ struct SkyOptions {
   std::string moon_altitude, moon_azimuth = "180", moon_phase_angle = "0";
   std::string wavelengths;
   bool unit_irradiance = false;
+  bool illuminance = false;
   bool timings = false;
 };
 
@@ -62,6 +63,7 @@ struct SkyRequest {
   std::vector<SkyPoint> points;
   std::optional<View> picture; ///< whose pixels the points are
   PathBudget budget;           ///< without a stream
+  bool illuminance = false;    ///< of a level surface too
   bool timings = false;
 };
 

@@ -8,10 +8,11 @@
 
 namespace vesper {
 
+unsigned threads_alone(unsigned asked) { return asked > 0 ? asked : std::max(1U, std::thread::hardware_concurrency()); }
+
 void work_alone(const std::vector<std::size_t>& units, unsigned threads, const Crew::Work& work,
                 const Crew::Done& done) {
-  const ThreadPlan plan =
-      plan_threads(units.size(), threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency()));
+  const ThreadPlan plan = plan_threads(units.size(), threads);
   std::mutex handing_over;
   parallel_for(
       units.size(), 1,
