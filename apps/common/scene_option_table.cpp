@@ -209,6 +209,14 @@ std::string apply_layers(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_sky(std::string_view text, SceneOptions& scene) {
+  if (text != "reference") {
+    return "reference";
+  }
+  scene.sky = SkyModel::reference;
+  return "";
+}
+
 std::string apply_seed(std::string_view text, SceneOptions& scene) {
   const auto value = parse_number<std::uint64_t>(text);
   if (!value) {
@@ -266,6 +274,8 @@ constexpr std::array table{
                            "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
                            "What to draw, comma-separated: stars, planets, ground; default all", apply_layers},
+    SceneOptionDescription{"sky", Kind::text, "NAME", model,
+                           "How the light of the air is found: reference, a Monte Carlo; default reference", apply_sky},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

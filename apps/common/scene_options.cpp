@@ -105,8 +105,10 @@ SceneOptions SceneOptionSet::resolve(Assumptions assumptions) const {
   return scene;
 }
 
-Refraction refraction_of(const SceneOptions& scene) {
-  Refraction refraction = standard_refraction(scene.observer.height, scene.tier);
+Refraction refraction_of(const SceneOptions& scene) { return refraction_of(scene, scene.observer.height); }
+
+Refraction refraction_of(const SceneOptions& scene, Length height) {
+  Refraction refraction = standard_refraction(height, scene.tier);
   refraction.conditions.pressure_hpa = scene.pressure_hpa.value_or(refraction.conditions.pressure_hpa);
   refraction.conditions.temperature_c = scene.temperature_c.value_or(refraction.conditions.temperature_c);
   return refraction;

@@ -24,6 +24,11 @@
 
 namespace vesper {
 
+/// Where the light of the air comes from.
+enum class SkyModel {
+  reference, ///< the Monte Carlo of atmosphere/reference_transport.hpp
+};
+
 /// What a scene is: when, where, looking at what, modelled how.
 struct SceneOptions {
   Instant instant;
@@ -40,6 +45,7 @@ struct SceneOptions {
   std::string medium_name = "clear";    ///< of a preset, or the path of the file
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
+  SkyModel sky = SkyModel::reference;
   std::uint64_t seed = 0; ///< of everything random
 };
 
@@ -55,6 +61,8 @@ using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
 /// How the scene bends light: the model of its tier, under the air that was given or else the standard atmosphere's at
 /// the height. Without a table.
 [[nodiscard]] Refraction refraction_of(const SceneOptions& scene);
+/// The same for an observer at another height.
+[[nodiscard]] Refraction refraction_of(const SceneOptions& scene, Length height);
 
 enum class Assumptions { said, silent };
 
