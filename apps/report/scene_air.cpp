@@ -7,7 +7,7 @@
 
 namespace vesper {
 
-Medium medium_of(const SceneOptions& /*scene*/) { return clear_medium(); }
+Medium medium_of(const SceneOptions& scene) { return scene.medium ? *scene.medium : clear_medium(); }
 
 struct SceneAir::Parts {
   SceneOptions scene;
