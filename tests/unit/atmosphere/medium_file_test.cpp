@@ -121,7 +121,7 @@ TEST(MediumFile, UnitsAreConverted) {
            with("0.01 /km", "1e-5 1/m", with("6360 km", "6.36e6m", with("100 km", " +100000 m "))));
   expect_same(parse_medium(other, "x"), a, 360.0, 830.0);
   const Medium table =
-      parse_medium(with("\"0.01 /km\"", R"({ wavelengths = "0.36, 0.83 um", values = "20e-6 /m, 0.01 /km" })"), "x");
+      parse_medium(with("\"0.01 /km\"", R"({ wavelengths = "0.36 µm, 0.83 um", values = "20e-6 /m, 0.01 /km" })"), "x");
   EXPECT_NEAR(table.components[0].scattering_per_km(360.0), 0.02, 1.0e-15);
   EXPECT_NEAR(table.components[0].scattering_per_km(595.0), 0.015, 1.0e-15);
   const std::string molecules = R"([[component]]
@@ -248,7 +248,7 @@ TEST(MediumBadFile, ValuesOutOfRange) {
   expect_refused({with("100 km", "-1 km"), {"line 2, key 'top_height'"}});
   expect_refused({with("\"2 km\"", "\"0 m\""), {"line 6, key 'component.profile.scale'"}});
   expect_refused({"base = \"clear\"\naerosol_optical_depth = -0.1\n", {"line 2, key 'aerosol_optical_depth'", "-0.1"}});
-  expect_refused({"base = \"clear\"\nangstrom_exponent = nan\n", {"line 2, key 'angstrom_exponent'"}});
+  expect_refused({"base = \"clear\"\nangstrom_exponent = inf\n", {"line 2, key 'angstrom_exponent'", "finite number"}});
   expect_refused({"base = \"clear\"\nozone = \"-1 DU\"\n", {"line 2, key 'ozone'"}});
   expect_refused({"base = \"clear\"\nground_albedo = -0.5\n", {"line 2, key 'ground_albedo'"}});
   expect_refused({"base = \"clear\"\nturbidity = 0.9\n", {"line 2, key 'turbidity'", "1 to 100"}});
