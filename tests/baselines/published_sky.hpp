@@ -1,0 +1,101 @@
+// The published way to a sky of all orders: Bruneton and Neyret's precomputed tables, a baseline to be measured.
+#pragma once
+
+#include "baselines/table_mapping.hpp"
+
+#include "vesper/atmosphere/medium.hpp"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace vesper::baseline {
+
+/// Red, green, blue: 680, 550 and 440 nm.
+using Rgb = glm::vec3;
+
+/// What the three- and four-dimensional tables are kept in; those of transmittance and irradiance are floats always.
+enum class Storage { single, half };
+
+/// Numbers over (r, mu, mu_s, nu), nu running fastest.
+class ScatteringTable {
+public:
+  ScatteringTable(const TableSizes& sizes, Storage storage);
+
+  /// Where in the table a view and a Sun lie, all but nu.
+  struct Corners {
+    std::size_t row[8];
+    float weight[8];
+    int count = 0;
+  };
+  [[nodiscard]] Corners corners(const ScatteringTexel& texel) const;
+  /// Linear in all four.
+  [[nodiscard]] Rgb at(const Corners& corners, float nu_texel) const;
+  /// The same at all texels of nu.
+  [[nodiscard]] std::vector<Rgb> over_nu(const Corners& corners) const;
+  [[nodiscard]] std::size_t index(int r, int mu, int mu_s, int nu) const;
+  [[nodiscard]] const Rgb& operator[](std::size_t i) const { return values_[i]; }
+  void store(std::size_t i, const Rgb& value);
+
+private:
+  TableSizes sizes_;
+  Storage storage_;
+  std::vector<Rgb> values_;
+};
+
+/// The algorithm as published, written from its description, with its numbers of steps: 500 for transmittance, 50 for
+/// single and 50 for multiple scattering, 16 by 32 directions for the scattering density, 16 by 64 for the ground's
+/// irradiance. Single scattering by aerosol stands in a table of its own, and both phase functions are applied where
+/// the tables are read.
+///
+/// Its flaws are part of it and stay: the light of the Sun fades over the disc's width by a smoothstep without regard
+/// to the view, the Sun's altitude is sampled by 32 values of which few lie in twilight, eight values of nu smear the
+/// glow around the Sun, and orders above the fourth are left out. Where docs/BASELINES.md says how wrong that is.
+class PublishedSky {
+public:
+  /// \param medium of the shape of published_medium(): its first component scatters with Rayleigh's phase function, the
+  ///        second with Cornette and Shanks's, the others absorb
+  /// \param orders 1 or more; 4 as published
+  explicit PublishedSky(const Medium& medium, const TableSizes& sizes = {}, Storage storage = Storage::single,
+                        int orders = 4);
+
+  /// Radiance of the scattered light in 1/sr above an irradiance of 1, for an observer in the air.
+  /// \param light,view unit vectors, z to the zenith
+  [[nodiscard]] Rgb radiance(float height_km, const glm::vec3& light, const glm::vec3& view) const;
+
+private:
+  /// The sources of the next order: one order's light.
+  struct Order {
+    const ScatteringTable* molecules; ///< or all of the light, its phase function in it
+    const ScatteringTable* aerosol;   ///< null where there is one table only
+    const std::vector<Rgb>* ground_irradiance;
+  };
+
+  [[nodiscard]] Rgb extinction(float r) const;
+  [[nodiscard]] Rgb transmittance_to_top(float r, float mu) const;
+  [[nodiscard]] Rgb transmittance(float r, float mu, float distance, bool meets_ground) const;
+  [[nodiscard]] Rgb sunlight(float r, float mu_s) const;
+  [[nodiscard]] Rgb irradiance(const std::vector<Rgb>& table, float r, float mu_s) const;
+  [[nodiscard]] std::vector<Rgb> direct_irradiance() const;
+  [[nodiscard]] std::vector<Rgb> indirect_irradiance(const Order& order) const;
+  [[nodiscard]] Rgb incident(const Order& order, const ScatteringPlace& place) const;
+  void fill_transmittance();
+  void single_scattering(ScatteringTable& molecules, ScatteringTable& aerosol) const;
+  void scattering_density(const Order& order, ScatteringTable& density) const;
+  void multiple_scattering(const ScatteringTable& density, ScatteringTable& light) const;
+
+  TableSizes sizes_;
+  Shell shell_;
+  std::vector<HeightProfile> profiles_;
+  std::vector<Rgb> extinction_per_km_;
+  Rgb molecules_per_km_;
+  Rgb aerosol_per_km_;
+  float asymmetry_;
+  Rgb albedo_;
+  std::vector<Rgb> transmittance_;
+  ScatteringTable molecules_; ///< single scattering by molecules and, over Rayleigh's phase function, all other orders
+  ScatteringTable aerosol_;   ///< single scattering by aerosol
+};
+
+} // namespace vesper::baseline
