@@ -25,9 +25,14 @@ constexpr int irradiance_azimuths = 64;
 constexpr float sun_radius_rad = 0.00935F / 2.0F;
 /// The published solar irradiance, W/m2/nm: it scales what half floats must hold and is divided out at look-up.
 const Rgb solar_irradiance(1.474F, 1.8504F, 1.91198F);
-/// The Sun's lowest altitude: 102 degrees from the zenith in half floats, 120 in floats.
-const float lowest_mu_s_half = std::cos(102.0F / 180.0F * pi);
-const float lowest_mu_s_single = std::cos(120.0F / 180.0F * pi);
+
+Shell shell_of(const Medium& medium, SunMapping sun) {
+  Shell shell{static_cast<float>(medium.ground_radius.to(kilometre)),
+              static_cast<float>(medium.top_radius.to(kilometre)), 0.0F};
+  shell.sun_span = sun == SunMapping::of_2017 ? sun_span_2017(shell, std::cos(102.0F / 180.0F * pi))
+                                              : sun_span_revised(shell, std::cos(120.0F / 180.0F * pi));
+  return shell;
+}
 
 Rgb sample(const WavelengthLaw& law) { return {law(680.0), law(550.0), law(440.0)}; }
 float rayleigh(float nu) { return f32::rayleigh_phase(nu, 0.0F); }
@@ -89,10 +94,9 @@ glm::vec3 sun_direction(const ScatteringPlace& place) {
 } // namespace
 
 ScatteringTable::ScatteringTable(const TableSizes& sizes, Storage storage)
-    : sizes_(sizes), storage_(storage),
-      values_(static_cast<std::size_t>(sizes.scattering_r * sizes.scattering_mu * sizes.scattering_mu_s *
-                                       sizes.scattering_nu),
-              Rgb(0.0F)) {}
+    : sizes_(sizes), storage_(storage), values_(static_cast<std::size_t>(sizes.scattering_r * sizes.scattering_mu *
+                                                                         sizes.scattering_mu_s * sizes.scattering_nu),
+                                                Rgb(0.0F)) {}
 
 std::size_t ScatteringTable::index(int r, int mu, int mu_s, int nu) const {
   return static_cast<std::size_t>(
@@ -147,14 +151,12 @@ std::vector<Rgb> ScatteringTable::over_nu(const Corners& corners) const {
   return sums;
 }
 
-PublishedSky::PublishedSky(const Medium& medium, const TableSizes& sizes, Storage storage, int orders)
-    : sizes_(sizes), shell_{static_cast<float>(medium.ground_radius.to(kilometre)),
-                            static_cast<float>(medium.top_radius.to(kilometre)),
-                            storage == Storage::half ? lowest_mu_s_half : lowest_mu_s_single},
+PublishedSky::PublishedSky(const Medium& medium, const PublishedOptions& options)
+    : sizes_(options.sizes), shell_(shell_of(medium, options.sun)),
       molecules_per_km_(sample(medium.components.at(0).scattering_per_km)),
       aerosol_per_km_(sample(medium.components.at(1).scattering_per_km)),
       asymmetry_(static_cast<float>(medium.components.at(1).phase.parameter(550.0))),
-      albedo_(sample(medium.ground_albedo)), molecules_(sizes, storage), aerosol_(sizes, storage) {
+      albedo_(sample(medium.ground_albedo)), molecules_(sizes_, options.storage), aerosol_(sizes_, options.storage) {
   for (const MediumComponent& part : medium.components) {
     profiles_.push_back(part.profile);
     extinction_per_km_.push_back(sample(part.scattering_per_km) + sample(part.absorption_per_km));
@@ -163,21 +165,20 @@ PublishedSky::PublishedSky(const Medium& medium, const TableSizes& sizes, Storag
   single_scattering(molecules_, aerosol_);
   std::vector<Rgb> ground = direct_irradiance();
   ScatteringTable previous = molecules_;
-  for (int order = 2; order <= orders; ++order) {
+  for (int order = 2; order <= options.orders; ++order) {
     const Order source{&previous, order == 2 ? &aerosol_ : nullptr, &ground};
-    ScatteringTable density(sizes, storage);
+    ScatteringTable density(sizes_, options.storage);
     scattering_density(source, density);
     std::vector<Rgb> next_ground = indirect_irradiance(source);
     multiple_scattering(density, previous);
     ground = std::move(next_ground);
-    each(sizes.scattering_r, [&](int r) {
+    each(sizes_.scattering_r, [&](int r) {
       for (int mu = 0; mu < sizes_.scattering_mu; ++mu) {
         for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
           for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-            const ScatteringPlace place =
-                scattering_place(shell_, sizes_,
-                                 {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s),
-                                  static_cast<float>(nu)});
+            const ScatteringPlace place = scattering_place(
+                shell_, sizes_,
+                {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s), static_cast<float>(nu)});
             const std::size_t i = molecules_.index(r, mu, mu_s, nu);
             molecules_.store(i, molecules_[i] + previous[i] / rayleigh(place.nu));
           }
@@ -199,8 +200,7 @@ void PublishedSky::fill_transmittance() {
   transmittance_.resize(static_cast<std::size_t>(sizes_.transmittance_r * sizes_.transmittance_mu));
   each(sizes_.transmittance_r, [&](int row) {
     for (int column = 0; column < sizes_.transmittance_mu; ++column) {
-      const RayPlace ray =
-          transmittance_ray(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
+      const RayPlace ray = transmittance_ray(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
       Rgb depth(0.0F);
       trapezoids(shell_.to_top_km(ray.r, ray.mu), transmittance_steps, [&](float distance, float step) {
         depth += step * extinction(after({ray.r, ray.mu, 0.0F, 0.0F, false}, distance, shell_).r);
@@ -287,10 +287,9 @@ Rgb PublishedSky::incident(const Order& order, const ScatteringPlace& place) con
   const ScatteringTexel texel = scattering_texel(shell_, sizes_, place);
   const ScatteringTable::Corners corners = order.molecules->corners(texel);
   const Rgb light = order.molecules->at(corners, texel.nu);
-  return order.aerosol == nullptr
-             ? light
-             : light * rayleigh(place.nu) +
-                   order.aerosol->at(corners, texel.nu) * f32::cornette_shanks_phase(place.nu, asymmetry_);
+  return order.aerosol == nullptr ? light
+                                  : light * rayleigh(place.nu) + order.aerosol->at(corners, texel.nu) *
+                                                                     f32::cornette_shanks_phase(place.nu, asymmetry_);
 }
 
 std::vector<Rgb> PublishedSky::indirect_irradiance(const Order& order) const {
@@ -332,7 +331,7 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
       float sin_theta;
       bool meets_ground;
       float distance_km;
-      Rgb reflected; ///< to here, for an irradiance of 1 at the ground
+      Rgb reflected;              ///< to here, for an irradiance of 1 at the ground
       std::vector<Rgb> molecules; ///< by nu
       std::vector<Rgb> aerosol;
     };
@@ -378,13 +377,13 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
             const float nu_texel = (0.5F * nu1 + 0.5F) * last_nu;
             Rgb light = linear(cone.molecules.data(), sizes_.scattering_nu, nu_texel);
             if (order.aerosol != nullptr) {
-              light = light * rayleigh(nu1) +
-                      linear(cone.aerosol.data(), sizes_.scattering_nu, nu_texel) * f32::cornette_shanks_phase(nu1, asymmetry_);
+              light = light * rayleigh(nu1) + linear(cone.aerosol.data(), sizes_.scattering_nu, nu_texel) *
+                                                  f32::cornette_shanks_phase(nu1, asymmetry_);
             }
             if (cone.meets_ground) {
               const glm::vec3 normal = glm::normalize(glm::vec3(0.0F, 0.0F, here.r) + cone.distance_km * from);
-              light += cone.reflected *
-                       irradiance(*order.ground_irradiance, shell_.ground_km, glm::dot(normal, to_sun));
+              light +=
+                  cone.reflected * irradiance(*order.ground_irradiance, shell_.ground_km, glm::dot(normal, to_sun));
             }
             const float nu2 = glm::dot(view, from);
             sum += light * solid_angle *
@@ -409,8 +408,7 @@ void PublishedSky::multiple_scattering(const ScatteringTable& density, Scatterin
         Rgb sum(0.0F);
         trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
                    [&](float distance, float step) {
-                     const ScatteringTexel texel =
-                         scattering_texel(shell_, sizes_, after(from, distance, shell_));
+                     const ScatteringTexel texel = scattering_texel(shell_, sizes_, after(from, distance, shell_));
                      sum += step * transmittance(from.r, from.mu, distance, from.meets_ground) *
                             density.at(density.corners(texel), texel.nu);
                    });

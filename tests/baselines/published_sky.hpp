@@ -18,6 +18,16 @@ using Rgb = glm::vec3;
 /// What the three- and four-dimensional tables are kept in; those of transmittance and irradiance are floats always.
 enum class Storage { single, half };
 
+/// How mu_s lies in the tables: down to 102 degrees from the zenith as in 2017, or 120 as later for float tables.
+enum class SunMapping { of_2017, revised };
+
+struct PublishedOptions {
+  TableSizes sizes;
+  Storage storage = Storage::single;
+  SunMapping sun = SunMapping::of_2017;
+  int orders = 4; ///< 1 or more
+};
+
 /// Numbers over (r, mu, mu_s, nu), nu running fastest.
 class ScatteringTable {
 public:
@@ -56,9 +66,7 @@ class PublishedSky {
 public:
   /// \param medium of the shape of published_medium(): its first component scatters with Rayleigh's phase function, the
   ///        second with Cornette and Shanks's, the others absorb
-  /// \param orders 1 or more; 4 as published
-  explicit PublishedSky(const Medium& medium, const TableSizes& sizes = {}, Storage storage = Storage::single,
-                        int orders = 4);
+  explicit PublishedSky(const Medium& medium, const PublishedOptions& options = {});
 
   /// Radiance of the scattered light in 1/sr above an irradiance of 1, for an observer in the air.
   /// \param light,view unit vectors, z to the zenith
