@@ -160,8 +160,10 @@ std::vector<double> ViewRay::cuts() const {
   const double densest = *std::max_element(extinction.begin(), extinction.end());
   const double length_km = span_.end_km - span_.begin_km;
   if (densest * length_km > 1.0) {
-    for (double path_km = 1.0 / densest; path_km < length_km; path_km *= 2.0) {
+    double path_km = 1.0 / densest;
+    while (path_km < length_km) {
       cuts.push_back(span_.begin_km + path_km);
+      path_km *= 2.0;
     }
   }
   std::sort(cuts.begin(), cuts.end());

@@ -33,7 +33,7 @@ struct Shell {
   [[nodiscard]] float to_top_km(float r, float mu) const;
   [[nodiscard]] float to_ground_km(float r, float mu) const;
   [[nodiscard]] bool meets_ground(float r, float mu) const;
-  [[nodiscard]] float to_edge_km(float r, float mu, bool meets_ground) const;
+  [[nodiscard]] float to_edge_km(float r, float mu, bool to_ground) const;
 };
 
 /// The mapping of mu_s in 2017: the Sun down to nearly lowest_mu_s.
