@@ -2,21 +2,12 @@
 
 #include "vesper/light/photometry.hpp"
 #include "vesper/light/star_color.hpp"
+#include "vesper/light/sunlight.hpp"
 
 namespace vesper {
-namespace {
-
-constexpr double sun_b_v = 0.65;
-
-}
 
 ReflectedLight reflected_sunlight(const Spectrum& albedo) {
-  const Spectrum sun = planck_spectrum(star_temperature_k(sun_b_v));
-  std::vector<double> values = sun.values();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] *= albedo(sun.wavelengths_nm()[i]);
-  }
-  const Spectrum reflected(sun.wavelengths_nm(), std::move(values));
+  const Spectrum reflected = filtered(solar_irradiance_1au(), albedo);
   const double a0 = lux_per_v_flux(planck_spectrum(star_temperature_k(0.0)));
   const double ratio = lux_per_v_flux(reflected) / a0;
   const Xyzs light = integrate_xyzs(reflected);

@@ -11,8 +11,7 @@ struct ReflectedLight {
   double lux_ratio = 1.0; ///< lux per V-band flux over that of an A0 star, as star_lux_ratio
 };
 
-/// The Sun's light times an albedo, which may lack a scale. The Sun is taken as a black body of its colour B-V = 0.65,
-/// which is the standard solar spectrum ASTM E-490 within 0.004 in CIE x, y.
+/// The Sun's light (solar_irradiance_1au) times an albedo, which may lack a scale.
 /// Throws Error(argument) for an albedo that is dark in the V band.
 [[nodiscard]] ReflectedLight reflected_sunlight(const Spectrum& albedo);
 

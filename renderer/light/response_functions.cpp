@@ -14,8 +14,7 @@ extern const EmbeddedTable embedded_light_tables;
 
 namespace {
 
-constexpr int grid_first_nm = 360;
-constexpr std::size_t grid_size = 471;
+constexpr std::size_t grid_size = response_last_nm - response_first_nm + 1;
 using Grid = std::array<double, grid_size>;
 
 /// A column of a table in our own data folder, against its first one.
@@ -31,7 +30,7 @@ Grid on_grid(const Spectrum& spectrum) {
   Grid grid{};
   std::size_t after = 1;
   for (std::size_t i = 0; i < grid_size; ++i) {
-    const double at = grid_first_nm + static_cast<double>(i);
+    const double at = response_first_nm + static_cast<double>(i);
     if (at < nm.front() || at > nm.back()) {
       continue;
     }

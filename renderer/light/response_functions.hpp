@@ -25,6 +25,10 @@ struct Chromaticity {
 inline constexpr double photopic_efficacy_lm_w = 683.0;
 inline constexpr double scotopic_efficacy_lm_w = 1700.0;
 
+/// The range of the response functions, in nm.
+inline constexpr int response_first_nm = 360;
+inline constexpr int response_last_nm = 830;
+
 /// CIE 1931 2 degree colour-matching functions, 360 to 830 nm. y_bar is V(lambda).
 [[nodiscard]] const Spectrum& cie_x_bar();
 [[nodiscard]] const Spectrum& cie_y_bar();

@@ -4,7 +4,6 @@
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/spectrum.hpp"
 
-#include <array>
 #include <vector>
 
 namespace vesper {
@@ -16,10 +15,12 @@ namespace vesper {
 struct SpectralWeights {
   std::vector<double> x, y, z, s;
 
+  /// The sums. Throws Error(argument) unless there is one value for each wavelength.
   [[nodiscard]] Xyzs operator()(const std::vector<double>& values) const;
 };
 
-/// \param wavelengths_nm ascending, at least one. Throws Error(argument) otherwise.
+/// \param wavelengths_nm ascending, finite, at least one; they may lie outside 360 to 830 nm. Throws Error(argument)
+/// otherwise.
 [[nodiscard]] SpectralWeights spectral_weights(const Spectrum& light, const std::vector<double>& wavelengths_nm);
 
 } // namespace vesper

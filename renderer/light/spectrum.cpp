@@ -35,6 +35,14 @@ double Spectrum::operator()(double wavelength_nm) const {
   return values_[i - 1] + t * (values_[i] - values_[i - 1]);
 }
 
+Spectrum filtered(const Spectrum& light, const Spectrum& filter) {
+  std::vector<double> values = light.values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] *= filter(light.wavelengths_nm()[i]);
+  }
+  return {light.wavelengths_nm(), std::move(values)};
+}
+
 double planck_w_m2_sr_nm(double wavelength_nm, double temperature_k) {
   constexpr double h = 6.62607015e-34;
   constexpr double c = 299792458.0;

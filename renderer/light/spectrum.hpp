@@ -22,6 +22,9 @@ private:
   std::vector<double> values_;
 };
 
+/// Light through a filter, or from a surface with an albedo: their product at the light's wavelengths.
+[[nodiscard]] Spectrum filtered(const Spectrum& light, const Spectrum& filter);
+
 /// Planck's law: spectral radiance of a black body, W/(m2 sr nm), for a wavelength in nm and a temperature in K, both
 /// positive (constants CODATA 2018, exact).
 [[nodiscard]] double planck_w_m2_sr_nm(double wavelength_nm, double temperature_k);

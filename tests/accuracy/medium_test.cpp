@@ -1,6 +1,7 @@
 // The media and their columns against published figures and a quadrature of another kind.
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/transmittance.hpp"
+#include "vesper/light/sunlight.hpp"
 
 #include "support/truth.hpp"
 
@@ -72,22 +73,9 @@ TEST(ClearMedium, HoldsTheColumnsItWasAskedFor) {
   }
 }
 
-/// ASTM E-490; its unit does not matter here.
-Spectrum solar_spectrum() {
-  const std::string path = std::string(VESPER_TEST_DATA) + "/light/e490_visible.csv";
-  const CsvTable table(read_file(path), path);
-  std::vector<double> nm;
-  std::vector<double> values;
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    nm.push_back(1000.0 * table.number(row, table.column("wavelength_um")));
-    values.push_back(table.number(row, table.column("irradiance_w_m2_um")));
-  }
-  return {nm, values};
-}
-
 TEST(ClearMedium, ZenithExtinctionInV) {
   const Medium air = clear_medium();
-  const Spectrum sun = solar_spectrum();
+  const Spectrum& sun = solar_irradiance_1au();
   const double sea_level = zenith_extinction_v_mag(air, 0.0 * metre, sun);
   const double mountain = zenith_extinction_v_mag(air, 2400.0 * metre, sun);
   std::printf(

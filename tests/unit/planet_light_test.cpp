@@ -3,6 +3,7 @@
 #include "vesper/base/shader_math.hpp"
 #include "vesper/light/photometry.hpp"
 #include "vesper/light/star_color.hpp"
+#include "vesper/light/sunlight.hpp"
 #include "vesper/sky/planet_light.hpp"
 
 #include <gtest/gtest.h>
@@ -19,11 +20,11 @@ double redness(Planet planet) {
 
 TEST(PlanetLight, AWhiteBodyShinesAsTheSun) {
   const ReflectedLight white = reflected_sunlight({{300.0, 900.0}, {0.5, 0.5}});
-  const Xyzs sun = star_color(0.65);
-  EXPECT_NEAR(white.color.x, sun.x, 1e-9);
-  EXPECT_NEAR(white.color.z, sun.z, 1e-9);
-  EXPECT_NEAR(white.color.s, sun.s, 1e-9);
-  EXPECT_NEAR(white.lux_ratio, star_lux_ratio(0.65), 1e-9);
+  const Xyzs sun = integrate_xyzs(solar_irradiance_1au());
+  EXPECT_NEAR(white.color.x, sun.x / sun.y, 1e-12);
+  EXPECT_NEAR(white.color.z, sun.z / sun.y, 1e-12);
+  EXPECT_NEAR(white.color.s, sun.s / sun.y, 1e-12);
+  EXPECT_NEAR(white.lux_ratio, star_lux_ratio(0.65), 0.01);
   EXPECT_THROW(static_cast<void>(reflected_sunlight({{300.0, 900.0}, {0.0, 0.0}})), Error);
 }
 
