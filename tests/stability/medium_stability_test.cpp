@@ -24,7 +24,8 @@ Medium single(const HeightProfile& profile, double per_km) {
   return {6360.0 * kilometre,
           6460.0 * kilometre,
           always(0.0),
-          {{"one", profile, always(per_km), always(0.0), {PhaseKind::rayleigh, always(0.0)}}}};
+          {{"one", profile, always(per_km), always(0.0), {PhaseKind::rayleigh, always(0.0)}}},
+          {550.0}};
 }
 
 double depth_to_space(const Medium& medium, const Vec3& from, const Vec3& direction) {
