@@ -26,9 +26,9 @@ struct PublishedOptions {
 /// irradiance. Single scattering by aerosol stands in a table of its own, and both phase functions are applied where
 /// the tables are read.
 ///
-/// Its flaws are part of it and stay: the light of the Sun fades over the disc's width by a smoothstep without regard
-/// to the view, the Sun's altitude is sampled by 32 values of which few lie in twilight, eight values of nu smear the
-/// glow around the Sun, and orders above the fourth are left out. Where docs/BASELINES.md says how wrong that is.
+/// Its flaws are part of it and stay: the Sun's altitude has 32 values of which few lie in twilight, eight values of nu
+/// smear the glow around the Sun, transmittance between two points is a quotient that loses its digits near the horizon,
+/// the Sun's disc sets by a smoothstep, and orders above the fourth are left out. docs/BASELINES.md says how wrong it is.
 class PublishedSky {
 public:
   /// \param medium of the shape of published_medium(): its first component scatters with Rayleigh's phase function, the
