@@ -5,6 +5,7 @@
 #include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
+#include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
 
@@ -16,11 +17,17 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace vesper {
+
+/// Where the light of the air comes from.
+enum class SkyModel {
+  reference, ///< the Monte Carlo of atmosphere/reference_transport.hpp
+};
 
 /// What a scene is: when, where, looking at what, modelled how.
 struct SceneOptions {
@@ -35,7 +42,10 @@ struct SceneOptions {
   std::optional<double> temperature_c; ///< likewise
   View view;
   Tier tier = Tier::standard;
+  std::string medium_name = "clear";    ///< of a preset, or the path of the file
+  std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
+  SkyModel sky = SkyModel::reference;
   std::uint64_t seed = 0; ///< of everything random
 };
 
@@ -51,6 +61,8 @@ using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
 /// How the scene bends light: the model of its tier, under the air that was given or else the standard atmosphere's at
 /// the height. Without a table.
 [[nodiscard]] Refraction refraction_of(const SceneOptions& scene);
+/// The same for an observer at another height.
+[[nodiscard]] Refraction refraction_of(const SceneOptions& scene, Length height);
 
 enum class Assumptions { said, silent };
 
@@ -61,7 +73,8 @@ public:
   explicit SceneOptionSet(CLI::App& app);
 
   /// The scene after parsing: command line, then --scene FILE, then the user's settings, then defaults. Throws
-  /// Error(argument) naming the option or key, its value and the allowed range; for files also the path and line.
+  /// Error(argument) naming the option or key, its value and the allowed range; for files also the path and line. Of
+  /// files that options name: as scene_from.
   /// \param assumptions whether to say on standard error that a place or the time scale had to be assumed
   [[nodiscard]] SceneOptions resolve(Assumptions assumptions = Assumptions::said) const;
 
@@ -77,7 +90,7 @@ private:
 };
 
 /// Turns merged values into a scene: each option's own range and the ranges that depend on the projection.
-/// Throws Error(argument).
+/// Throws Error(argument); Error(file) and Error(input) for what is wrong with a file that an option names.
 [[nodiscard]] SceneOptions scene_from(const GivenOptions& given);
 
 /// Reads a flat TOML file whose keys are option names without dashes. Throws Error(argument) with the file and line for

@@ -14,7 +14,7 @@ namespace vesper {
 namespace {
 
 constexpr double last_jd = 5373484.5; // the end of year 9999
-constexpr std::size_t rows_per_chunk = 64;
+constexpr std::size_t quick_rows_per_chunk = 64;
 
 struct InputColumns {
   std::optional<std::size_t> utc, jd_tt, jd_ut1, latitude, longitude, height;
@@ -124,11 +124,14 @@ std::string header_of(const CsvTable& input, std::span<const SceneColumn> column
 
 } // namespace
 
-BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> columns, const SceneOptions& defaults) {
+BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> columns, const SceneOptions& defaults,
+                         const SceneAir& air, unsigned threads) {
   const InputColumns found = find_columns(input, defaults);
   BatchReport report;
   report.csv = header_of(input, columns);
   const std::size_t rows = input.row_count();
+  const bool slow = std::any_of(columns.begin(), columns.end(), [](const SceneColumn& column) { return column.slow; });
+  const std::size_t rows_per_chunk = slow ? 1 : quick_rows_per_chunk;
 
   struct Chunk {
     std::string csv;
@@ -150,19 +153,20 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
         chunk.farthest = instant;
         chunk.farthest_line = input.line(row);
       }
-      const SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
+      SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
+      sky.refraction = refraction_of(defaults, sky.observer.height);
       for (std::size_t column = 0; column < input.header().size(); ++column) {
         append_csv_field(chunk.csv, input.cell(row, column));
         chunk.csv += ',';
       }
       for (const SceneColumn& column : columns) {
-        append_number(chunk.csv, column.value(sky));
+        append_number(chunk.csv, column.value({sky, air}));
         chunk.csv += ',';
       }
       chunk.csv.back() = '\n';
     }
     progress.advance(end - begin);
-  });
+  }, threads);
   for (const Chunk& chunk : chunks) {
     report.csv += chunk.csv;
     if (report.rows_taken_as_ut1 == 0) {

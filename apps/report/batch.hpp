@@ -22,9 +22,10 @@ struct BatchReport {
 /// One output row for each row of `input`: its fields as they stand, then `columns`.
 ///
 /// Input columns: `jd_tt` and `jd_ut1`, or else `utc`; `latitude_deg`, `longitude_deg`, `height_m`. A place column may
-/// be missing when `defaults` gives its value. Throws Error(input) naming line and column. Uses all cores; the result
-/// does not depend on their number.
+/// be missing when `defaults` gives its value. Throws Error(input) naming line and column.
+/// \param air of `defaults`, for columns that need it
+/// \param threads 0 for one per core; the result does not depend on it
 [[nodiscard]] BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> columns,
-                                       const SceneOptions& defaults);
+                                       const SceneOptions& defaults, const SceneAir& air, unsigned threads = 0);
 
 } // namespace vesper

@@ -1,9 +1,11 @@
 // vesper-report: what the sky is at a place and time.
 #include "report/batch.hpp"
+#include "report/crew.hpp"
 #include "report/eclipse_report.hpp"
 #include "report/event_report.hpp"
 #include "report/scene_columns.hpp"
 #include "report/scene_text.hpp"
+#include "report/sky_report.hpp"
 #include "report/star_report.hpp"
 
 #include "common/program.hpp"
@@ -17,7 +19,11 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -33,6 +39,8 @@ struct ReportOptions {
   std::string shadow = "danjon";
   std::string lunar_radius = "mean";
   EventOptions events;
+  SkyOptions sky;
+  BudgetOptions budget;
 };
 
 void deliver(const std::string& text, const std::string& path) {
@@ -43,7 +51,8 @@ void deliver(const std::string& text, const std::string& path) {
   }
 }
 
-std::string scene_json(const SkyState& sky, const std::vector<SceneColumn>& columns) {
+std::string scene_json(const ReportedScene& scene, const std::vector<SceneColumn>& columns) {
+  const SkyState& sky = scene.sky;
   nlohmann::ordered_json json;
   json["time"] = to_iso8601(sky.instant);
   if (const std::vector<std::string> remarks = time_remarks(sky.instant); !remarks.empty()) {
@@ -57,16 +66,16 @@ std::string scene_json(const SkyState& sky, const std::vector<SceneColumn>& colu
   json["longitude_deg"] = sky.observer.longitude.to(deg);
   json["height_m"] = sky.observer.height.to(metre);
   for (const SceneColumn& column : columns) {
-    json[std::string(column.name)] = column.value(sky);
+    json[std::string(column.name)] = column.value(scene);
   }
   return json.dump(2) + "\n";
 }
 
-std::string scene_lines(const SkyState& sky, const std::vector<SceneColumn>& columns) {
+std::string scene_lines(const ReportedScene& scene, const std::vector<SceneColumn>& columns) {
   std::string text;
   for (const SceneColumn& column : columns) {
     text.append(column.name).append(" = ");
-    append_number(text, column.value(sky));
+    append_number(text, column.value(scene));
     text += '\n';
   }
   return text;
@@ -76,9 +85,10 @@ void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   const std::vector<SceneColumn> columns = select_columns(options.columns);
   SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
   sky.refraction = refraction_of(scene);
-  deliver(options.json              ? scene_json(sky, columns)
+  const SceneAir air(scene, path_budget(options.budget, scene));
+  deliver(options.json              ? scene_json({sky, air}, columns)
           : options.columns.empty() ? scene_text(sky, default_star_catalogue())
-                                    : scene_lines(sky, columns),
+                                    : scene_lines({sky, air}, columns),
           options.output);
 }
 
@@ -88,7 +98,9 @@ void report_batch(const SceneOptions& scene, const ReportOptions& options) {
   }
   const std::vector<SceneColumn> columns = select_columns(options.columns);
   const CsvTable input(read_file(options.batch), options.batch);
-  const BatchReport report = batch_report(input, columns, scene);
+  PathBudget budget = path_budget(options.budget, scene);
+  const unsigned threads = std::exchange(budget.threads, 1); // they share out the rows
+  const BatchReport report = batch_report(input, columns, scene, SceneAir(scene, budget), threads);
   if (report.rows_taken_as_ut1 > 0) {
     spdlog::info("{}: {} stamps lie outside the leap seconds known (1972 to 2026), the first in line {}: taken as UT1, "
                  "with TT from Delta-T",
@@ -131,12 +143,47 @@ void report_events(const SceneOptions& scene, const ReportOptions& options) {
   deliver(options.json ? event_report_json(scene, request) : event_report_csv(scene, request), options.output);
 }
 
+bool names_exr(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".exr";
+}
+
+void report_sky(const SceneOptions& scene, const ReportOptions& options, const std::optional<CsvTable>& directions,
+                Crew& crew) {
+  const bool exr = names_exr(options.output);
+  if (exr && options.json) {
+    throw Error(ErrorKind::argument, "--json: not with a picture; give an output that does not end in .exr");
+  }
+  const SkyRequest request = sky_request(options.sky, options.budget, scene, directions, exr);
+  if (request.lights.empty()) {
+    spdlog::info("neither Sun nor Moon is near enough to the horizon to light the air");
+  }
+  const std::string partial = options.output.empty() ? "" : options.output + ".partial";
+  const SkyResults results = sky_results(request, partial, crew);
+  if (!crew.leads()) {
+    return;
+  }
+  if (exr) {
+    const View& view = request.picture.value();
+    write_exr(options.output, view.width, view.height, sky_picture(request, results), describe_picture(request));
+  } else {
+    deliver(options.json ? sky_report_json(request, results) : sky_report_csv(request, results), options.output);
+  }
+  if (!partial.empty()) {
+    std::error_code ignored; // the results are safe in the output
+    std::filesystem::remove(partial, ignored);
+  }
+}
+
 } // namespace
 } // namespace vesper
 
 // Only a lack of memory while the options are set up can leave this function.
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   using namespace vesper;
+  const std::unique_ptr<Crew> crew = make_crew(argc, argv);
   CLI::App app("What the sky is at a place and time: positions of Sun, Moon and stars", "vesper-report");
   prepare_program(app);
   ReportOptions options;
@@ -146,10 +193,12 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                                             "CSV of scenes with the columns utc (or jd_tt, jd_ut1), latitude_deg, "
                                             "longitude_deg, height_m; others pass through")
                                  ->type_name("FILE");
-  app.add_option("--columns", options.columns,
-                 "Comma-separated quantities to report, also venus_magnitude and its like; default, the usual ones, "
-                 "and planets "
-                 "stand for groups; default default")
+  app.add_option(
+         "--columns", options.columns,
+         "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
+         "medium and, from the reference sky in seconds a scene, horizontal_illuminance_lux and "
+         "zenith_luminance_cd_m2; default, the usual ones, "
+         "and planets stand for groups; default default")
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 
@@ -176,11 +225,18 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->type_name("NAME");
 
   const CLI::App* events = add_events_command(app, options.events);
+  add_budget_options(app, options.budget);
+  const CLI::App* sky = add_sky_command(app, options.sky);
   app.require_subcommand(0, 1);
 
   return run_program(argc, argv, app, [&] {
+    if (!crew->leads() && !sky->parsed()) {
+      return; // only the sky is work for several processes
+    }
     const bool in_batch = batch->count() > 0 && app.get_subcommands().empty();
-    const SceneOptions scene = scene_options.resolve(in_batch ? Assumptions::silent : Assumptions::said);
+    const std::optional<CsvTable> directions = directions_table(options.sky);
+    const bool place_matters = !in_batch && !lights_by_hand(options.sky, directions);
+    const SceneOptions scene = scene_options.resolve(place_matters ? Assumptions::said : Assumptions::silent);
     if (!options.output.empty()) {
       require_writable(options.output);
     }
@@ -195,6 +251,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       report_eclipses(scene, options);
     } else if (events->parsed()) {
       report_events(scene, options);
+    } else if (sky->parsed()) {
+      report_sky(scene, options, directions, *crew);
     } else if (in_batch) {
       report_batch(scene, options);
     } else {

@@ -29,12 +29,12 @@ constexpr std::array quantities{
 };
 constexpr std::size_t column_count = quantities.size() * planet_count;
 
-template <std::size_t Index> double value_of(const SkyState& sky) {
-  return quantities[Index % quantities.size()].value(sky.planets[Index / quantities.size()]);
+template <std::size_t Index> double value_of(const ReportedScene& scene) {
+  return quantities[Index % quantities.size()].value(scene.sky.planets[Index / quantities.size()]);
 }
 
 template <std::size_t... Indices> auto functions_of(std::index_sequence<Indices...> /*indices*/) {
-  return std::array<double (*)(const SkyState&), sizeof...(Indices)>{&value_of<Indices>...};
+  return std::array<double (*)(const ReportedScene&), sizeof...(Indices)>{&value_of<Indices>...};
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "report/scene_columns.hpp"
 
+#include "report/light_columns.hpp"
 #include "report/planet_columns.hpp"
 
 #include "common/option_text.hpp"
@@ -15,25 +16,25 @@ namespace vesper {
 namespace {
 
 constexpr std::array columns{
-    SceneColumn{"sun_right_ascension_deg", [](const SkyState& s) { return s.sun.right_ascension.to(deg); }},
-    SceneColumn{"sun_declination_deg", [](const SkyState& s) { return s.sun.declination.to(deg); }},
-    SceneColumn{"sun_azimuth_deg", [](const SkyState& s) { return s.sun.azimuth.to(deg); }},
-    SceneColumn{"sun_altitude_deg", [](const SkyState& s) { return s.sun.altitude.to(deg); }},
-    SceneColumn{"sun_distance_au", [](const SkyState& s) { return s.sun.distance.to(astronomical_unit); }},
-    SceneColumn{"moon_right_ascension_deg", [](const SkyState& s) { return s.moon.place.right_ascension.to(deg); }},
-    SceneColumn{"moon_declination_deg", [](const SkyState& s) { return s.moon.place.declination.to(deg); }},
-    SceneColumn{"moon_azimuth_deg", [](const SkyState& s) { return s.moon.place.azimuth.to(deg); }},
-    SceneColumn{"moon_altitude_deg", [](const SkyState& s) { return s.moon.place.altitude.to(deg); }},
-    SceneColumn{"moon_distance_km", [](const SkyState& s) { return s.moon.place.distance.to(kilometre); }},
-    SceneColumn{"moon_illuminated_fraction", [](const SkyState& s) { return s.moon.illuminated_fraction; }},
-    SceneColumn{"moon_phase_angle_deg", [](const SkyState& s) { return s.moon.phase_angle.to(deg); }},
-    SceneColumn{"moon_bright_limb_deg", [](const SkyState& s) { return s.moon.bright_limb.to(deg); }},
-    SceneColumn{"moon_axis_deg", [](const SkyState& s) { return s.moon.axis.to(deg); }},
-    SceneColumn{"moon_libration_longitude_deg", [](const SkyState& s) { return s.moon.libration.longitude.to(deg); }},
-    SceneColumn{"moon_libration_latitude_deg", [](const SkyState& s) { return s.moon.libration.latitude.to(deg); }},
-    SceneColumn{"moon_umbral_magnitude", [](const SkyState& s) { return s.lunar_eclipse.umbral_magnitude; }},
-    SceneColumn{"moon_penumbral_magnitude", [](const SkyState& s) { return s.lunar_eclipse.penumbral_magnitude; }},
-    SceneColumn{"sun_obscuration", [](const SkyState& s) { return s.solar_eclipse.obscuration; }},
+    SceneColumn{"sun_right_ascension_deg", [](const ReportedScene& s) { return s.sky.sun.right_ascension.to(deg); }},
+    SceneColumn{"sun_declination_deg", [](const ReportedScene& s) { return s.sky.sun.declination.to(deg); }},
+    SceneColumn{"sun_azimuth_deg", [](const ReportedScene& s) { return s.sky.sun.azimuth.to(deg); }},
+    SceneColumn{"sun_altitude_deg", [](const ReportedScene& s) { return s.sky.sun.altitude.to(deg); }},
+    SceneColumn{"sun_distance_au", [](const ReportedScene& s) { return s.sky.sun.distance.to(astronomical_unit); }},
+    SceneColumn{"moon_right_ascension_deg", [](const ReportedScene& s) { return s.sky.moon.place.right_ascension.to(deg); }},
+    SceneColumn{"moon_declination_deg", [](const ReportedScene& s) { return s.sky.moon.place.declination.to(deg); }},
+    SceneColumn{"moon_azimuth_deg", [](const ReportedScene& s) { return s.sky.moon.place.azimuth.to(deg); }},
+    SceneColumn{"moon_altitude_deg", [](const ReportedScene& s) { return s.sky.moon.place.altitude.to(deg); }},
+    SceneColumn{"moon_distance_km", [](const ReportedScene& s) { return s.sky.moon.place.distance.to(kilometre); }},
+    SceneColumn{"moon_illuminated_fraction", [](const ReportedScene& s) { return s.sky.moon.illuminated_fraction; }},
+    SceneColumn{"moon_phase_angle_deg", [](const ReportedScene& s) { return s.sky.moon.phase_angle.to(deg); }},
+    SceneColumn{"moon_bright_limb_deg", [](const ReportedScene& s) { return s.sky.moon.bright_limb.to(deg); }},
+    SceneColumn{"moon_axis_deg", [](const ReportedScene& s) { return s.sky.moon.axis.to(deg); }},
+    SceneColumn{"moon_libration_longitude_deg", [](const ReportedScene& s) { return s.sky.moon.libration.longitude.to(deg); }},
+    SceneColumn{"moon_libration_latitude_deg", [](const ReportedScene& s) { return s.sky.moon.libration.latitude.to(deg); }},
+    SceneColumn{"moon_umbral_magnitude", [](const ReportedScene& s) { return s.sky.lunar_eclipse.umbral_magnitude; }},
+    SceneColumn{"moon_penumbral_magnitude", [](const ReportedScene& s) { return s.sky.lunar_eclipse.penumbral_magnitude; }},
+    SceneColumn{"sun_obscuration", [](const ReportedScene& s) { return s.sky.solar_eclipse.obscuration; }},
 };
 
 std::string allowed_names() {
@@ -41,7 +42,11 @@ std::string allowed_names() {
   for (const SceneColumn& column : columns) {
     names.append(column.name).append(", ");
   }
-  return names + "default for all of these, planets for those of all planets (venus_magnitude, ...)";
+  names += "default for all of these, planets for those of all planets (venus_magnitude, ...)";
+  for (const SceneColumn& column : light_columns()) {
+    names.append(", ").append(column.name);
+  }
+  return names;
 }
 
 /// The columns that a name stands for: one, or a group.
@@ -52,7 +57,8 @@ std::span<const SceneColumn> columns_named(std::string_view name) {
   if (name == "planets") {
     return planet_columns();
   }
-  for (const std::span<const SceneColumn> group : {std::span<const SceneColumn>(columns), planet_columns()}) {
+  for (const std::span<const SceneColumn> group :
+       {std::span<const SceneColumn>(columns), planet_columns(), light_columns()}) {
     const auto found =
         std::find_if(group.begin(), group.end(), [&](const SceneColumn& column) { return column.name == name; });
     if (found != group.end()) {

@@ -1,6 +1,8 @@
 // The quantities of a scene that can be reported, each a column.
 #pragma once
 
+#include "report/scene_air.hpp"
+
 #include "vesper/sky/sky_state.hpp"
 
 #include <span>
@@ -9,18 +11,25 @@
 
 namespace vesper {
 
+/// What columns are made from.
+struct ReportedScene {
+  const SkyState& sky;
+  const SceneAir& air;
+};
+
 /// A quantity whose name carries its unit.
 struct SceneColumn {
   std::string_view name;
-  double (*value)(const SkyState& sky);
+  double (*value)(const ReportedScene& scene);
+  bool slow = false; ///< takes seconds, not microseconds
 };
 
 /// The columns that are written unless others are asked for, in their order.
 [[nodiscard]] std::span<const SceneColumn> scene_columns();
 
-/// The columns of a comma-separated list, in its order: names, those of planets too (planet_columns.hpp), and the
-/// groups "default" and "planets". An empty list is "default". Throws Error(argument) naming an unknown or repeated
-/// one.
+/// The columns of a comma-separated list, in its order: names, those of planets (planet_columns.hpp) and of light
+/// (light_columns.hpp) too, and the groups "default" and "planets". An empty list is "default". Throws Error(argument)
+/// naming an unknown or repeated one.
 [[nodiscard]] std::vector<SceneColumn> select_columns(std::string_view list);
 
 } // namespace vesper

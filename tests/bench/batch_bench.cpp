@@ -30,8 +30,9 @@ Bytes scenes(double first_year, double last_year) {
 void batch(benchmark::State& state, double first_year, double last_year) {
   const CsvTable table(scenes(first_year, last_year), "scenes.csv");
   const std::vector<SceneColumn> columns = select_columns("");
+  const SceneAir air{SceneOptions()};
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(batch_report(table, columns, SceneOptions()));
+    benchmark::DoNotOptimize(batch_report(table, columns, SceneOptions(), air));
   }
   // By the processor time of all threads: the rate of one core.
   state.SetItemsProcessed(state.iterations() * row_count);

@@ -1,0 +1,35 @@
+// The air of a scene and the light in it, made once for all that asks.
+#pragma once
+
+#include "common/scene_options.hpp"
+
+#include "vesper/atmosphere/medium.hpp"
+#include "vesper/atmosphere/reference_transport.hpp"
+
+#include <memory>
+
+namespace vesper {
+
+/// The medium that a scene names.
+[[nodiscard]] Medium medium_of(const SceneOptions& scene);
+
+/// Medium and transport of a scene, each made when it is first asked for. Any thread may ask.
+class SceneAir {
+public:
+  /// \param budget how well light is to be known; its stream is the asker's
+  explicit SceneAir(const SceneOptions& scene, const PathBudget& budget = {});
+  ~SceneAir();
+  SceneAir(SceneAir&&) noexcept;
+  SceneAir& operator=(SceneAir&&) noexcept;
+
+  [[nodiscard]] const Medium& medium() const;
+  /// At the medium's wavelengths. Takes seconds at first.
+  [[nodiscard]] const ReferenceTransport& transport() const;
+  [[nodiscard]] const PathBudget& budget() const;
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+} // namespace vesper

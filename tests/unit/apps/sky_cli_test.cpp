@@ -1,0 +1,209 @@
+// `vesper-report sky` and the columns of light as their users call them.
+#include "support/command_line_test.hpp"
+
+#include "vesper/assets/image_file.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/single_scattering.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+
+namespace vesper {
+namespace {
+
+using nlohmann::json;
+using test::CommandResult;
+
+class SkyCli : public test::CommandLineTest {
+protected:
+  SkyCli() : CommandLineTest("vesper-report", "sky --reference") {}
+};
+
+class LightColumns : public test::CommandLineTest {
+protected:
+  LightColumns() : CommandLineTest("vesper-report") {}
+};
+
+TEST_F(SkyCli, FirstOrderIsSingleScatteringInTheDirectionsAsked) {
+  write("where.csv", "altitude_deg,azimuth_deg,sun_altitude_deg,sun_azimuth_deg\n"
+                     "25,200,35,180\n25,20,35,180\n90,0,-4,90\n40,90,-4,90\n");
+  const CommandResult result = run("--directions where.csv --orders 1 --unit-irradiance --wavelengths 440,650 "
+                                   "--sun-radius 0 --height 500 --relative-error 0.02");
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_EQ(result.err, ""); // no place is needed
+  const CsvTable out = table_of(result);
+  ASSERT_EQ(out.row_count(), 4U);
+  const Medium medium = clear_medium();
+  const auto direction = [&](std::size_t row, const std::string& of) {
+    const double altitude = out.number(row, out.column(of + "altitude_deg")) * std::numbers::pi / 180.0;
+    const double azimuth = out.number(row, out.column(of + "azimuth_deg")) * std::numbers::pi / 180.0;
+    return Vec3(std::cos(altitude) * std::sin(azimuth), std::cos(altitude) * std::cos(azimuth), std::sin(altitude));
+  };
+  for (std::size_t row = 0; row < 4; ++row) {
+    const SkyQuery query{500.0 * metre, direction(row, "sun_"), 0.0 * deg, direction(row, "")};
+    const SingleScattering exact = single_scattering(medium, query, {440.0, 650.0});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::string name = i == 0 ? "radiance_440nm_" : "radiance_650nm_";
+      const double error = out.number(row, out.column(name + "error_per_sr"));
+      EXPECT_NEAR(out.number(row, out.column(name + "per_sr")), exact.radiance[i], 4.5 * error) << row << name;
+      EXPECT_LT(error, 0.0201 * exact.radiance[i]) << row << name;
+    }
+  }
+}
+
+TEST_F(SkyCli, APictureHoldsWhatTheTableTells) {
+  const std::string scene = "--time 2026-06-21T12:00:00Z --latitude 50 --longitude 10 --size 4x4 --most-paths 64 ";
+  const CommandResult result = run(scene + "-o sky.exr");
+  ASSERT_EQ(result.status, 0) << result.err;
+  const FloatImage picture = read_image(path("sky.exr"));
+  ASSERT_EQ(picture.channels, (std::vector<std::string>{"X", "Y", "Z", "S"}));
+  EXPECT_EQ(picture.values.at(1), 0.0F); // the corner lies outside the circle
+  const CommandResult as_table = run(scene + "--picture --seed 0 --sky reference --timings");
+  ASSERT_EQ(as_table.status, 0) << as_table.err;
+  const CsvTable rows = table_of(as_table);
+  EXPECT_EQ(rows.row_count(), 12U);
+  for (std::size_t row = 0; row < rows.row_count(); ++row) {
+    const auto pixel = static_cast<std::size_t>(rows.number(row, rows.column("pixel_y")) * 4.0 +
+                                                rows.number(row, rows.column("pixel_x")));
+    const std::array<const char*, 4> channels{"x_cd_m2", "luminance_cd_m2", "z_cd_m2", "s_cd_m2"};
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(picture.values.at(4 * pixel + i), static_cast<float>(rows.number(row, rows.column(channels.at(i)))));
+    }
+    EXPECT_GT(rows.number(row, rows.column("seconds")), 0.0);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("sky.exr.partial")));
+}
+
+class UnfinishedSky : public SkyCli {
+protected:
+  void SetUp() override {
+    SkyCli::SetUp();
+    std::string where = "altitude_deg,azimuth_deg\n";
+    for (int i = 0; i < 60; ++i) {
+      where += std::to_string(90 - i) + "," + std::to_string(6 * i) + "\n";
+    }
+    write("where.csv", where);
+  }
+  static constexpr const char* request = "--directions where.csv --sun-altitude 5 --most-paths 2000 "
+                                         "--unit-irradiance --wavelengths 550 ";
+};
+
+TEST_F(UnfinishedSky, KilledHalfWayGoesOnToTheSameBytes) {
+  const CommandResult whole = run(std::string(request) + "--threads 1");
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  // A first process is killed as soon as it has finished some directions.
+  const std::string kill = "'" VESPER_BIN "/vesper-report' sky --reference " + std::string(request) +
+                           "-o sky.csv & pid=$!; until [ \"$(wc -l 2>/dev/null <sky.csv.partial)\" -ge 5 ] || "
+                           "! kill -0 $pid; do sleep 0.02; done; kill -9 $pid; wait $pid; cp sky.csv.partial killed; ! [ -e sky.csv ]";
+  const CommandResult resumed = run(std::string(request) + "-o sky.csv --threads 2", "{ " + kill + "; } 2>/dev/null");
+  EXPECT_EQ(resumed.status, 0) << resumed.err;
+  EXPECT_GT(text(path("killed")).size(), 100U);
+  EXPECT_EQ(text(path("sky.csv")), whole.out);
+  EXPECT_FALSE(std::filesystem::exists(path("sky.csv.partial")));
+#ifdef VESPER_MPIRUN
+  // As root, on this host alone, however few cores it has.
+  const std::string mpirun = "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_plm=isolated "
+                             "OMPI_MCA_btl_vader_single_copy_mechanism=none ASAN_OPTIONS=detect_leaks=0; '" VESPER_MPIRUN
+                             "' --oversubscribe -n 2 '" VESPER_BIN "/vesper-report-mpi' sky --reference ";
+  const CommandResult together = run("--version", mpirun + request + "-o shared.csv");
+  EXPECT_EQ(together.status, 0) << together.err;
+  EXPECT_EQ(text(path("shared.csv")), whole.out);
+  EXPECT_EQ(together.err, "");
+  const CommandResult refused = run("--version", mpirun + request + "-o no.csv --orders 0");
+  EXPECT_EQ(refused.status, 2) << refused.err;
+  EXPECT_EQ(refused.err.find("--orders: '0'"), refused.err.rfind("--orders: '0'")) << "said once: " << refused.err;
+#endif
+}
+
+TEST_F(UnfinishedSky, TheResultsOfAnotherRequestAreNotTouched) {
+  write("sky.csv.partial", "vesper-report sky of something else\n");
+  expect_failure(1, std::string(request) + "-o sky.csv", {"sky.csv.partial", "another request", "delete"});
+  EXPECT_EQ(text(path("sky.csv.partial")), "vesper-report sky of something else\n");
+}
+
+TEST_F(SkyCli, BadOptionsExitWithTwoAndWriteNothing) {
+  write("where.csv", "altitude_deg,azimuth_deg\n90,0\n");
+  write("suns.csv", "altitude_deg,azimuth_deg,sun_altitude_deg\n90,0,1\n");
+  struct Case {
+    const char* arguments;
+    std::vector<std::string> words;
+  };
+  for (const Case& c : {
+           Case{"--relative-error 0", {"--relative-error: '0'", "1e-06 to 1"}},
+           Case{"--relative-error nan", {"--relative-error", "nan"}},
+           Case{"--most-paths -1", {"--most-paths: '-1'", "integer from 1"}},
+           Case{"--orders 0", {"--orders: '0'", "1 to 1000000"}},
+           Case{"--threads 5000", {"--threads: '5000'", "0 to 1024"}},
+           Case{"--sky tables", {"--sky: 'tables'", "reference"}},
+           Case{"--sun-altitude 91", {"--sun-altitude: '91'", "-90 to 90 degrees"}},
+           Case{"--sun-altitude 1 --sun-azimuth 400", {"--sun-azimuth: '400'", "-360 to 360"}},
+           Case{"--sun-altitude 1 --sun-radius 2", {"--sun-radius: '2'", "0 to 1 degrees"}},
+           Case{"--moon-altitude 9 --moon-phase-angle 181", {"--moon-phase-angle: '181'", "0 to 180"}},
+           Case{"--light stars", {"--light: 'stars'", "sun, moon, both"}},
+           Case{"--sun-altitude 1 --light both", {"--light: 'both'", "--moon-altitude"}},
+           Case{"--moon-altitude 1 --light sun", {"--light: 'sun'", "--sun-altitude"}},
+           Case{"--directions suns.csv --sun-altitude 3", {"--sun-altitude: '3'", "sun_altitude_deg"}},
+           Case{"--wavelengths 440,300", {"--wavelengths: '440,300'", "360 to 830 nm"}},
+           Case{"--wavelengths 440,440", {"--wavelengths", "once"}},
+           Case{"--sun-altitude 1 --moon-altitude 1 --unit-irradiance", {"--unit-irradiance", "--light sun"}},
+           Case{"--sun-altitude 1 --unit-irradiance -o sky.exr", {"--unit-irradiance", "picture"}},
+           Case{"--zenith --directions where.csv", {"--zenith, --directions FILE", "--picture"}},
+           Case{"--json -o sky.exr", {"--json", "picture"}},
+           Case{"--illuminance --picture", {"--illuminance", "picture"}},
+           Case{"--batch where.csv", {"--batch"}},
+       }) {
+    const std::string output = std::string(c.arguments).find("-o ") == std::string::npos ? " -o sky.csv" : "";
+    expect_failure(2, c.arguments + output, c.words);
+  }
+  expect_failure(1, "--directions nowhere.csv -o sky.csv", {"nowhere.csv"});
+  expect_failure(1, "--directions where.csv -o no/such/folder/sky.csv", {"no/such/folder"});
+}
+
+TEST_F(LightColumns, TheSkyAsksForItsModel) {
+  expect_failure(2, "sky --zenith", {"--reference"});
+}
+
+TEST_F(LightColumns, AreInTheRangeOfMeasuredLight) {
+  const std::string place = " --latitude 51.4769 --longitude 0 --height 47 --relative-error 0.05 ";
+  const std::string names = "sun_altitude_deg,moon_altitude_deg,horizontal_illuminance_lux,zenith_luminance_cd_m2";
+  const CommandResult noon = run("--json --time 2026-06-21T12:00:00Z --columns " + names + place);
+  ASSERT_EQ(noon.status, 0) << noon.err;
+  const json scene = json::parse(noon.out);
+  ASSERT_NEAR(scene.at("sun_altitude_deg").get<double>(), 62.0, 0.1);
+  // USNO Circular 171: 104.7 klx at 62 degrees; other measurements are a factor of 1.4 off at most.
+  const double noon_lux = scene.at("horizontal_illuminance_lux").get<double>();
+  EXPECT_GT(noon_lux, 104700.0 / 1.4);
+  EXPECT_LT(noon_lux, 104700.0 * 1.4);
+
+  // The same instant, a full Moon 63 degrees high with the Sun far below the horizon, and a night without either.
+  write("in.csv", "utc\n2026-06-21T12:00:00Z\n2026-01-03T00:00:00Z\n2026-12-09T00:00:00Z\n");
+  const CommandResult batch = run("--batch in.csv --columns " + names + place);
+  ASSERT_EQ(batch.status, 0) << batch.err;
+  const CsvTable rows = table_of(batch);
+  const std::size_t lux = rows.column("horizontal_illuminance_lux");
+  const std::size_t luminance = rows.column("zenith_luminance_cd_m2");
+  EXPECT_EQ(rows.number(0, lux), noon_lux);
+  EXPECT_EQ(rows.number(0, luminance), scene.at("zenith_luminance_cd_m2").get<double>());
+  ASSERT_NEAR(rows.number(1, rows.column("moon_altitude_deg")), 63.0, 3.0);
+  // 0.29 lx for the full Moon there at its mean distance; this one is near the Earth, and not quite full.
+  EXPECT_GT(rows.number(1, lux), 0.29 / 1.4);
+  EXPECT_LT(rows.number(1, lux), 0.29 * 1.4);
+  // A moonlit zenith has 17 to 18.5 mag/arcsec2.
+  EXPECT_GT(rows.number(1, luminance), 10.8e4 * std::pow(10.0, -0.4 * 18.5));
+  EXPECT_LT(rows.number(1, luminance), 10.8e4 * std::pow(10.0, -0.4 * 17.0));
+  ASSERT_LT(rows.number(2, rows.column("moon_altitude_deg")), -24.0);
+  EXPECT_EQ(rows.number(2, lux), 0.0);
+  EXPECT_EQ(rows.number(2, luminance), 0.0);
+}
+
+TEST_F(LightColumns, AreNotAmongTheDefault) {
+  const CommandResult usual = run("--json --time 2026-06-21T12:00:00Z");
+  EXPECT_EQ(usual.out.find("horizontal_illuminance_lux"), std::string::npos);
+  expect_failure(2, "--columns horizontal_illuminance", {"horizontal_illuminance_lux", "zenith_luminance_cd_m2"});
+}
+
+} // namespace
+} // namespace vesper
