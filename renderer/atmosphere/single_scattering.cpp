@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -82,7 +83,7 @@ private:
   [[nodiscard]] Columns towards_light(const Vec3& place_km) const;
   [[nodiscard]] double transmittance(const Columns& view, const Columns& light, std::size_t wavelength,
                                      double& relative_error) const;
-  void apply_rule(Piece& piece) const;
+  [[nodiscard]] Piece piece(double begin_km, double end_km, Columns before) const;
   [[nodiscard]] std::vector<Piece> refined(std::vector<Piece> pieces, double relative_error) const;
   void add_ground(const Columns& view, SingleScattering& sum) const;
   [[nodiscard]] Vec3 place_km(double s_km) const { return perigee_ + s_km * view_; }
@@ -160,8 +161,10 @@ std::vector<double> ViewRay::cuts() const {
   const double densest = *std::max_element(extinction.begin(), extinction.end());
   const double length_km = span_.end_km - span_.begin_km;
   if (densest * length_km > 1.0) {
-    for (double path_km = 1.0 / densest; path_km < length_km; path_km *= 2.0) {
+    double path_km = 1.0 / densest;
+    while (path_km < length_km) {
       cuts.push_back(span_.begin_km + path_km);
+      path_km *= 2.0;
     }
   }
   std::sort(cuts.begin(), cuts.end());
@@ -198,19 +201,23 @@ double ViewRay::transmittance(const Columns& view, const Columns& light, std::si
   return std::exp(-depth);
 }
 
-void ViewRay::apply_rule(Piece& piece) const {
+Piece ViewRay::piece(double begin_km, double end_km, Columns before) const {
   const std::size_t count = wavelengths_nm_.size();
-  piece.value.assign(count, 0.0);
-  piece.column_error.assign(count, 0.0);
+  Piece result;
+  result.begin_km = begin_km;
+  result.end_km = end_km;
+  result.before = std::move(before);
+  result.value.assign(count, 0.0);
+  result.column_error.assign(count, 0.0);
   std::vector<double> coarse(count, 0.0);
-  Columns view = piece.before;
-  double reached_km = piece.begin_km;
+  Columns view = result.before;
+  double reached_km = result.begin_km;
   int node = 0;
-  visit_kronrod_nodes(piece.begin_km, piece.end_km, [&](double s_km, double kronrod, double gauss) {
+  visit_kronrod_nodes(begin_km, end_km, [&](double s_km, double kronrod, double gauss) {
     add_columns(view, {span_.perigee_km, reached_km, s_km});
     reached_km = s_km;
     if (++node == 8) {
-      piece.halfway = view;
+      result.halfway = view;
     }
     const Vec3 place = place_km(s_km);
     const Columns light = towards_light(place);
@@ -226,15 +233,16 @@ void ViewRay::apply_rule(Piece& piece) const {
       }
       double relative_error = 0.0;
       const double radiance = source * transmittance(view, light, k, relative_error);
-      piece.value[k] += kronrod * radiance;
+      result.value[k] += kronrod * radiance;
       coarse[k] += gauss * radiance;
-      piece.column_error[k] += kronrod * radiance * relative_error;
+      result.column_error[k] += kronrod * radiance * relative_error;
     }
   });
-  piece.rule_error.resize(count);
+  result.rule_error.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
-    piece.rule_error[k] = std::abs(piece.value[k] - coarse[k]);
+    result.rule_error[k] = std::abs(result.value[k] - coarse[k]);
   }
+  return result;
 }
 
 /// Halves, in rounds, the pieces with more than their share of the error.
@@ -243,30 +251,26 @@ std::vector<Piece> ViewRay::refined(std::vector<Piece> pieces, double relative_e
   const std::size_t count = wavelengths_nm_.size();
   for (int round = 0; round < most_rounds; ++round) {
     std::vector<double> allowed(count, 0.0);
-    for (const Piece& piece : pieces) {
+    for (const Piece& whole : pieces) {
       for (std::size_t k = 0; k < count; ++k) {
-        allowed[k] += relative_error * piece.value[k];
+        allowed[k] += relative_error * whole.value[k];
       }
     }
     const double share = 1.0 / static_cast<double>(pieces.size());
     std::vector<Piece> next;
-    for (Piece& piece : pieces) {
+    for (Piece& whole : pieces) {
       bool fine = true;
       for (std::size_t k = 0; k < count && fine; ++k) {
         // Below the smallest normal number nothing can be lessened.
-        fine = piece.rule_error[k] <= std::max(share * allowed[k], std::numeric_limits<double>::min());
+        fine = whole.rule_error[k] <= std::max(share * allowed[k], std::numeric_limits<double>::min());
       }
       if (fine) {
-        next.push_back(std::move(piece));
+        next.push_back(std::move(whole));
         continue;
       }
-      const double middle_km = 0.5 * (piece.begin_km + piece.end_km);
-      Piece left{piece.begin_km, middle_km, std::move(piece.before), {}, {}, {}, {}};
-      Piece right{middle_km, piece.end_km, std::move(piece.halfway), {}, {}, {}, {}};
-      for (Piece* half : {&left, &right}) {
-        apply_rule(*half);
-        next.push_back(std::move(*half));
-      }
+      const double middle_km = 0.5 * (whole.begin_km + whole.end_km);
+      next.push_back(piece(whole.begin_km, middle_km, std::move(whole.before)));
+      next.push_back(piece(middle_km, whole.end_km, std::move(whole.halfway)));
     }
     const bool settled = next.size() == pieces.size();
     pieces = std::move(next);
@@ -302,15 +306,15 @@ SingleScattering ViewRay::integrate(double relative_error) const {
   const std::vector<double> places = cuts();
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (in_light(0.5 * (places[i - 1] + places[i]))) {
-      apply_rule(pieces.emplace_back(Piece{places[i - 1], places[i], view, {}, {}, {}, {}}));
+      pieces.push_back(piece(places[i - 1], places[i], view));
     }
     add_columns(view, {span_.perigee_km, places[i - 1], places[i]});
   }
   SingleScattering sum{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
-  for (const Piece& piece : refined(std::move(pieces), relative_error)) {
+  for (const Piece& part : refined(std::move(pieces), relative_error)) {
     for (std::size_t k = 0; k < count; ++k) {
-      sum.radiance[k] += piece.value[k];
-      sum.error[k] += piece.rule_error[k] + piece.column_error[k];
+      sum.radiance[k] += part.value[k];
+      sum.error[k] += part.rule_error[k] + part.column_error[k];
     }
   }
   if (meets_ground_) {

@@ -5,7 +5,6 @@
 
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/packing.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,34 +24,17 @@ constexpr int irradiance_azimuths = 64;
 constexpr float sun_radius_rad = 0.00935F / 2.0F;
 /// The published solar irradiance, W/m2/nm: it scales what half floats must hold and is divided out at look-up.
 const Rgb solar_irradiance(1.474F, 1.8504F, 1.91198F);
-/// The Sun's lowest altitude: 102 degrees from the zenith in half floats, 120 in floats.
-const float lowest_mu_s_half = std::cos(102.0F / 180.0F * pi);
-const float lowest_mu_s_single = std::cos(120.0F / 180.0F * pi);
+
+Shell shell_of(const Medium& medium, SunMapping sun) {
+  Shell shell{static_cast<float>(medium.ground_radius.to(kilometre)),
+              static_cast<float>(medium.top_radius.to(kilometre)), 0.0F};
+  shell.sun_span = sun == SunMapping::of_2017 ? sun_span_2017(shell, std::cos(102.0F / 180.0F * pi))
+                                              : sun_span_revised(shell, std::cos(120.0F / 180.0F * pi));
+  return shell;
+}
 
 Rgb sample(const WavelengthLaw& law) { return {law(680.0), law(550.0), law(440.0)}; }
 float rayleigh(float nu) { return f32::rayleigh_phase(nu, 0.0F); }
-float half_rounded(float x) { return glm::unpackHalf1x16(glm::packHalf1x16(x)); }
-
-/// Linear between `size` texels, clamped to the first and the last.
-Rgb linear(const Rgb* texels, int size, float x) {
-  x = std::clamp(x, 0.0F, static_cast<float>(size - 1));
-  const int i = std::min(static_cast<int>(x), size - 2);
-  const float share = x - static_cast<float>(i);
-  return (1.0F - share) * texels[i] + share * texels[i + 1];
-}
-
-/// Linear between the texels of a table of `width` by `height`, clamped to its edges.
-Rgb bilinear(const std::vector<Rgb>& table, int width, int height, float x, float y) {
-  x = std::clamp(x, 0.0F, static_cast<float>(width - 1));
-  y = std::clamp(y, 0.0F, static_cast<float>(height - 1));
-  const int i = std::min(static_cast<int>(x), width - 2);
-  const int j = std::min(static_cast<int>(y), height - 2);
-  const float s = x - static_cast<float>(i);
-  const float t = y - static_cast<float>(j);
-  const auto at = [&](int column, int row) { return table[static_cast<std::size_t>(row * width + column)]; };
-  return (1.0F - t) * ((1.0F - s) * at(i, j) + s * at(i + 1, j)) +
-         t * ((1.0F - s) * at(i, j + 1) + s * at(i + 1, j + 1));
-}
 
 /// Runs work(i) for each row of a table on all cores.
 template <class Work> void each(int count, Work&& work) {
@@ -88,103 +70,45 @@ glm::vec3 sun_direction(const ScatteringPlace& place) {
 
 } // namespace
 
-ScatteringTable::ScatteringTable(const TableSizes& sizes, Storage storage)
-    : sizes_(sizes), storage_(storage),
-      values_(static_cast<std::size_t>(sizes.scattering_r * sizes.scattering_mu * sizes.scattering_mu_s *
-                                       sizes.scattering_nu),
-              Rgb(0.0F)) {}
-
-std::size_t ScatteringTable::index(int r, int mu, int mu_s, int nu) const {
-  return static_cast<std::size_t>(
-      ((r * sizes_.scattering_mu + mu) * sizes_.scattering_mu_s + mu_s) * sizes_.scattering_nu + nu);
-}
-
-void ScatteringTable::store(std::size_t i, const Rgb& value) {
-  values_[i] =
-      storage_ == Storage::half ? Rgb(half_rounded(value.x), half_rounded(value.y), half_rounded(value.z)) : value;
-}
-
-ScatteringTable::Corners ScatteringTable::corners(const ScatteringTexel& texel) const {
-  const std::array<float, 3> place{texel.r, texel.mu, texel.mu_s};
-  const std::array<int, 3> size{sizes_.scattering_r, sizes_.scattering_mu, sizes_.scattering_mu_s};
-  std::array<int, 3> low{};
-  std::array<float, 3> share{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const float clamped = std::clamp(place[i], 0.0F, static_cast<float>(size[i] - 1));
-    low[i] = std::min(static_cast<int>(clamped), size[i] - 2);
-    share[i] = clamped - static_cast<float>(low[i]);
-  }
-  Corners result;
-  for (int corner = 0; corner < 8; ++corner) {
-    const int r = corner >> 2;
-    const int mu = (corner >> 1) & 1;
-    const int mu_s = corner & 1;
-    const float weight = (r != 0 ? share[0] : 1.0F - share[0]) * (mu != 0 ? share[1] : 1.0F - share[1]) *
-                         (mu_s != 0 ? share[2] : 1.0F - share[2]);
-    if (weight > 0.0F) {
-      result.row[result.count] = index(low[0] + r, low[1] + mu, low[2] + mu_s, 0);
-      result.weight[result.count++] = weight;
-    }
-  }
-  return result;
-}
-
-Rgb ScatteringTable::at(const Corners& corners, float nu_texel) const {
-  Rgb sum(0.0F);
-  for (int i = 0; i < corners.count; ++i) {
-    sum += corners.weight[i] * linear(&values_[corners.row[i]], sizes_.scattering_nu, nu_texel);
-  }
-  return sum;
-}
-
-std::vector<Rgb> ScatteringTable::over_nu(const Corners& corners) const {
-  std::vector<Rgb> sums(static_cast<std::size_t>(sizes_.scattering_nu), Rgb(0.0F));
-  for (int i = 0; i < corners.count; ++i) {
-    for (std::size_t nu = 0; nu < sums.size(); ++nu) {
-      sums[nu] += corners.weight[i] * values_[corners.row[i] + nu];
-    }
-  }
-  return sums;
-}
-
-PublishedSky::PublishedSky(const Medium& medium, const TableSizes& sizes, Storage storage, int orders)
-    : sizes_(sizes), shell_{static_cast<float>(medium.ground_radius.to(kilometre)),
-                            static_cast<float>(medium.top_radius.to(kilometre)),
-                            storage == Storage::half ? lowest_mu_s_half : lowest_mu_s_single},
+PublishedSky::PublishedSky(const Medium& medium, const PublishedOptions& options)
+    : sizes_(options.sizes), shell_(shell_of(medium, options.sun)),
       molecules_per_km_(sample(medium.components.at(0).scattering_per_km)),
       aerosol_per_km_(sample(medium.components.at(1).scattering_per_km)),
       asymmetry_(static_cast<float>(medium.components.at(1).phase.parameter(550.0))),
-      albedo_(sample(medium.ground_albedo)), molecules_(sizes, storage), aerosol_(sizes, storage) {
+      albedo_(sample(medium.ground_albedo)), molecules_(sizes_, options.storage), aerosol_(sizes_, options.storage) {
   for (const MediumComponent& part : medium.components) {
     profiles_.push_back(part.profile);
     extinction_per_km_.push_back(sample(part.scattering_per_km) + sample(part.absorption_per_km));
   }
   fill_transmittance();
   single_scattering(molecules_, aerosol_);
-  std::vector<Rgb> ground = direct_irradiance();
+  PlaneTable ground = direct_irradiance();
   ScatteringTable previous = molecules_;
-  for (int order = 2; order <= orders; ++order) {
+  for (int order = 2; order <= options.orders; ++order) {
     const Order source{&previous, order == 2 ? &aerosol_ : nullptr, &ground};
-    ScatteringTable density(sizes, storage);
+    ScatteringTable density(sizes_, options.storage);
     scattering_density(source, density);
-    std::vector<Rgb> next_ground = indirect_irradiance(source);
+    PlaneTable next_ground = indirect_irradiance(source);
     multiple_scattering(density, previous);
     ground = std::move(next_ground);
-    each(sizes.scattering_r, [&](int r) {
+    each(sizes_.scattering_r, [&](int r) {
       for (int mu = 0; mu < sizes_.scattering_mu; ++mu) {
         for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
           for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-            const ScatteringPlace place =
-                scattering_place(shell_, sizes_,
-                                 {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s),
-                                  static_cast<float>(nu)});
+            const ScatteringPlace here = place(r, mu, mu_s, nu);
             const std::size_t i = molecules_.index(r, mu, mu_s, nu);
-            molecules_.store(i, molecules_[i] + previous[i] / rayleigh(place.nu));
+            molecules_.store(i, molecules_[i] + previous[i] / rayleigh(here.nu));
           }
         }
       }
     });
   }
+}
+
+ScatteringPlace PublishedSky::place(int r, int mu, int mu_s, int nu) const {
+  return scattering_place(
+      shell_, sizes_,
+      {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s), static_cast<float>(nu)});
 }
 
 Rgb PublishedSky::extinction(float r) const {
@@ -196,23 +120,22 @@ Rgb PublishedSky::extinction(float r) const {
 }
 
 void PublishedSky::fill_transmittance() {
-  transmittance_.resize(static_cast<std::size_t>(sizes_.transmittance_r * sizes_.transmittance_mu));
+  transmittance_ = PlaneTable(sizes_.transmittance_mu, sizes_.transmittance_r);
   each(sizes_.transmittance_r, [&](int row) {
     for (int column = 0; column < sizes_.transmittance_mu; ++column) {
-      const RayPlace ray =
-          transmittance_ray(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
+      const RayPlace ray = transmittance_ray(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
       Rgb depth(0.0F);
       trapezoids(shell_.to_top_km(ray.r, ray.mu), transmittance_steps, [&](float distance, float step) {
         depth += step * extinction(after({ray.r, ray.mu, 0.0F, 0.0F, false}, distance, shell_).r);
       });
-      transmittance_[static_cast<std::size_t>(row * sizes_.transmittance_mu + column)] = glm::exp(-depth);
+      transmittance_(column, row) = glm::exp(-depth);
     }
   });
 }
 
 Rgb PublishedSky::transmittance_to_top(float r, float mu) const {
   const TransmittanceTexel texel = transmittance_texel(shell_, sizes_, {r, mu});
-  return bilinear(transmittance_, sizes_.transmittance_mu, sizes_.transmittance_r, texel.mu, texel.r);
+  return transmittance_.at(texel.mu, texel.r);
 }
 
 /// Over a distance, as a quotient of two transmittances to the top.
@@ -232,13 +155,13 @@ Rgb PublishedSky::sunlight(float r, float mu_s) const {
   return x * x * (3.0F - 2.0F * x) * transmittance_to_top(r, mu_s);
 }
 
-Rgb PublishedSky::irradiance(const std::vector<Rgb>& table, float r, float mu_s) const {
+Rgb PublishedSky::irradiance(const PlaneTable& table, float r, float mu_s) const {
   const IrradianceTexel texel = irradiance_texel(shell_, sizes_, r, mu_s);
-  return bilinear(table, sizes_.irradiance_mu_s, sizes_.irradiance_r, texel.mu_s, texel.r);
+  return table.at(texel.mu_s, texel.r);
 }
 
-std::vector<Rgb> PublishedSky::direct_irradiance() const {
-  std::vector<Rgb> table(static_cast<std::size_t>(sizes_.irradiance_r * sizes_.irradiance_mu_s));
+PlaneTable PublishedSky::direct_irradiance() const {
+  PlaneTable table(sizes_.irradiance_mu_s, sizes_.irradiance_r);
   for (int row = 0; row < sizes_.irradiance_r; ++row) {
     for (int column = 0; column < sizes_.irradiance_mu_s; ++column) {
       const SunPlace sun = irradiance_sun(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
@@ -247,8 +170,7 @@ std::vector<Rgb> PublishedSky::direct_irradiance() const {
       const float mean_cosine = sun.mu_s < -sun_radius_rad  ? 0.0F
                                 : sun.mu_s > sun_radius_rad ? sun.mu_s
                                                             : above * above / (4.0F * sun_radius_rad);
-      table[static_cast<std::size_t>(row * sizes_.irradiance_mu_s + column)] =
-          mean_cosine * solar_irradiance * transmittance_to_top(sun.r, sun.mu_s);
+      table(column, row) = mean_cosine * solar_irradiance * transmittance_to_top(sun.r, sun.mu_s);
     }
   }
   return table;
@@ -260,9 +182,7 @@ void PublishedSky::single_scattering(ScatteringTable& molecules, ScatteringTable
     const int mu = row % sizes_.scattering_mu;
     for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
       for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-        const ScatteringPlace from = scattering_place(
-            shell_, sizes_,
-            {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s), static_cast<float>(nu)});
+        const ScatteringPlace from = place(r, mu, mu_s, nu);
         Rgb by_molecules(0.0F);
         Rgb by_aerosol(0.0F);
         trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
@@ -287,14 +207,13 @@ Rgb PublishedSky::incident(const Order& order, const ScatteringPlace& place) con
   const ScatteringTexel texel = scattering_texel(shell_, sizes_, place);
   const ScatteringTable::Corners corners = order.molecules->corners(texel);
   const Rgb light = order.molecules->at(corners, texel.nu);
-  return order.aerosol == nullptr
-             ? light
-             : light * rayleigh(place.nu) +
-                   order.aerosol->at(corners, texel.nu) * f32::cornette_shanks_phase(place.nu, asymmetry_);
+  return order.aerosol == nullptr ? light
+                                  : light * rayleigh(place.nu) + order.aerosol->at(corners, texel.nu) *
+                                                                     f32::cornette_shanks_phase(place.nu, asymmetry_);
 }
 
-std::vector<Rgb> PublishedSky::indirect_irradiance(const Order& order) const {
-  std::vector<Rgb> table(static_cast<std::size_t>(sizes_.irradiance_r * sizes_.irradiance_mu_s));
+PlaneTable PublishedSky::indirect_irradiance(const Order& order) const {
+  PlaneTable table(sizes_.irradiance_mu_s, sizes_.irradiance_r);
   each(sizes_.irradiance_r, [&](int row) {
     for (int column = 0; column < sizes_.irradiance_mu_s; ++column) {
       const SunPlace sun = irradiance_sun(shell_, sizes_, {static_cast<float>(column), static_cast<float>(row)});
@@ -310,7 +229,7 @@ std::vector<Rgb> PublishedSky::indirect_irradiance(const Order& order) const {
           sum += incident(order, {sun.r, from.z, sun.mu_s, glm::dot(from, to_sun), false}) * from.z * solid_angle;
         }
       }
-      table[static_cast<std::size_t>(row * sizes_.irradiance_mu_s + column)] = sum;
+      table(column, row) = sum;
     }
   });
   return table;
@@ -320,8 +239,7 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
   each(sizes_.scattering_r * sizes_.scattering_mu_s, [&](int row) {
     const int r = row / sizes_.scattering_mu_s;
     const int mu_s = row % sizes_.scattering_mu_s;
-    const ScatteringPlace here =
-        scattering_place(shell_, sizes_, {static_cast<float>(r), 0.0F, static_cast<float>(mu_s), 0.0F});
+    const ScatteringPlace here = place(r, 0, mu_s, 0);
     const double height_km = here.r - shell_.ground_km;
     const Rgb molecules = static_cast<float>(profiles_[0].at(height_km)) * molecules_per_km_;
     const Rgb aerosol = static_cast<float>(profiles_[1].at(height_km)) * aerosol_per_km_;
@@ -332,7 +250,7 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
       float sin_theta;
       bool meets_ground;
       float distance_km;
-      Rgb reflected; ///< to here, for an irradiance of 1 at the ground
+      Rgb reflected;              ///< to here, for an irradiance of 1 at the ground
       std::vector<Rgb> molecules; ///< by nu
       std::vector<Rgb> aerosol;
     };
@@ -364,11 +282,9 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
     const auto last_nu = static_cast<float>(sizes_.scattering_nu - 1);
     for (int mu = 0; mu < sizes_.scattering_mu; ++mu) {
       for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-        const ScatteringPlace place = scattering_place(
-            shell_, sizes_,
-            {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s), static_cast<float>(nu)});
-        const glm::vec3 view(std::sqrt(std::max(1.0F - place.mu * place.mu, 0.0F)), 0.0F, place.mu);
-        const glm::vec3 to_sun = sun_direction(place);
+        const ScatteringPlace texel = place(r, mu, mu_s, nu);
+        const glm::vec3 view(std::sqrt(std::max(1.0F - texel.mu * texel.mu, 0.0F)), 0.0F, texel.mu);
+        const glm::vec3 to_sun = sun_direction(texel);
         Rgb sum(0.0F);
         for (const Cone& cone : cones) {
           const float solid_angle = angle * azimuth_step * cone.sin_theta;
@@ -378,13 +294,13 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
             const float nu_texel = (0.5F * nu1 + 0.5F) * last_nu;
             Rgb light = linear(cone.molecules.data(), sizes_.scattering_nu, nu_texel);
             if (order.aerosol != nullptr) {
-              light = light * rayleigh(nu1) +
-                      linear(cone.aerosol.data(), sizes_.scattering_nu, nu_texel) * f32::cornette_shanks_phase(nu1, asymmetry_);
+              light = light * rayleigh(nu1) + linear(cone.aerosol.data(), sizes_.scattering_nu, nu_texel) *
+                                                  f32::cornette_shanks_phase(nu1, asymmetry_);
             }
             if (cone.meets_ground) {
               const glm::vec3 normal = glm::normalize(glm::vec3(0.0F, 0.0F, here.r) + cone.distance_km * from);
-              light += cone.reflected *
-                       irradiance(*order.ground_irradiance, shell_.ground_km, glm::dot(normal, to_sun));
+              light +=
+                  cone.reflected * irradiance(*order.ground_irradiance, shell_.ground_km, glm::dot(normal, to_sun));
             }
             const float nu2 = glm::dot(view, from);
             sum += light * solid_angle *
@@ -403,14 +319,11 @@ void PublishedSky::multiple_scattering(const ScatteringTable& density, Scatterin
     const int mu = row % sizes_.scattering_mu;
     for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
       for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-        const ScatteringPlace from = scattering_place(
-            shell_, sizes_,
-            {static_cast<float>(r), static_cast<float>(mu), static_cast<float>(mu_s), static_cast<float>(nu)});
+        const ScatteringPlace from = place(r, mu, mu_s, nu);
         Rgb sum(0.0F);
         trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
                    [&](float distance, float step) {
-                     const ScatteringTexel texel =
-                         scattering_texel(shell_, sizes_, after(from, distance, shell_));
+                     const ScatteringTexel texel = scattering_texel(shell_, sizes_, after(from, distance, shell_));
                      sum += step * transmittance(from.r, from.mu, distance, from.meets_ground) *
                             density.at(density.corners(texel), texel.nu);
                    });

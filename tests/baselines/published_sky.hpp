@@ -1,47 +1,24 @@
 // The published way to a sky of all orders: Bruneton and Neyret's precomputed tables, a baseline to be measured.
 #pragma once
 
-#include "baselines/table_mapping.hpp"
+#include "baselines/tables.hpp"
 
 #include "vesper/atmosphere/medium.hpp"
 
 #include <glm/vec3.hpp>
 
-#include <cstddef>
 #include <vector>
 
 namespace vesper::baseline {
 
-/// Red, green, blue: 680, 550 and 440 nm.
-using Rgb = glm::vec3;
+/// How mu_s lies in the tables: down to 102 degrees from the zenith as in 2017, or 120 as later for float tables.
+enum class SunMapping { of_2017, revised };
 
-/// What the three- and four-dimensional tables are kept in; those of transmittance and irradiance are floats always.
-enum class Storage { single, half };
-
-/// Numbers over (r, mu, mu_s, nu), nu running fastest.
-class ScatteringTable {
-public:
-  ScatteringTable(const TableSizes& sizes, Storage storage);
-
-  /// Where in the table a view and a Sun lie, all but nu.
-  struct Corners {
-    std::size_t row[8];
-    float weight[8];
-    int count = 0;
-  };
-  [[nodiscard]] Corners corners(const ScatteringTexel& texel) const;
-  /// Linear in all four.
-  [[nodiscard]] Rgb at(const Corners& corners, float nu_texel) const;
-  /// The same at all texels of nu.
-  [[nodiscard]] std::vector<Rgb> over_nu(const Corners& corners) const;
-  [[nodiscard]] std::size_t index(int r, int mu, int mu_s, int nu) const;
-  [[nodiscard]] const Rgb& operator[](std::size_t i) const { return values_[i]; }
-  void store(std::size_t i, const Rgb& value);
-
-private:
-  TableSizes sizes_;
-  Storage storage_;
-  std::vector<Rgb> values_;
+struct PublishedOptions {
+  TableSizes sizes;
+  Storage storage = Storage::single;
+  SunMapping sun = SunMapping::of_2017;
+  int orders = 4; ///< 1 or more
 };
 
 /// The algorithm as published, written from its description, with its numbers of steps: 500 for transmittance, 50 for
@@ -49,16 +26,14 @@ private:
 /// irradiance. Single scattering by aerosol stands in a table of its own, and both phase functions are applied where
 /// the tables are read.
 ///
-/// Its flaws are part of it and stay: the light of the Sun fades over the disc's width by a smoothstep without regard
-/// to the view, the Sun's altitude is sampled by 32 values of which few lie in twilight, eight values of nu smear the
-/// glow around the Sun, and orders above the fourth are left out. Where docs/BASELINES.md says how wrong that is.
+/// Its flaws are part of it and stay: the Sun's altitude has 32 values of which few lie in twilight, eight values of nu
+/// smear the glow around the Sun, transmittance between two points is a quotient that loses its digits near the horizon,
+/// the Sun's disc sets by a smoothstep, and orders above the fourth are left out. docs/BASELINES.md says how wrong it is.
 class PublishedSky {
 public:
   /// \param medium of the shape of published_medium(): its first component scatters with Rayleigh's phase function, the
   ///        second with Cornette and Shanks's, the others absorb
-  /// \param orders 1 or more; 4 as published
-  explicit PublishedSky(const Medium& medium, const TableSizes& sizes = {}, Storage storage = Storage::single,
-                        int orders = 4);
+  explicit PublishedSky(const Medium& medium, const PublishedOptions& options = {});
 
   /// Radiance of the scattered light in 1/sr above an irradiance of 1, for an observer in the air.
   /// \param light,view unit vectors, z to the zenith
@@ -69,17 +44,18 @@ private:
   struct Order {
     const ScatteringTable* molecules; ///< or all of the light, its phase function in it
     const ScatteringTable* aerosol;   ///< null where there is one table only
-    const std::vector<Rgb>* ground_irradiance;
+    const PlaneTable* ground_irradiance;
   };
 
   [[nodiscard]] Rgb extinction(float r) const;
   [[nodiscard]] Rgb transmittance_to_top(float r, float mu) const;
   [[nodiscard]] Rgb transmittance(float r, float mu, float distance, bool meets_ground) const;
   [[nodiscard]] Rgb sunlight(float r, float mu_s) const;
-  [[nodiscard]] Rgb irradiance(const std::vector<Rgb>& table, float r, float mu_s) const;
-  [[nodiscard]] std::vector<Rgb> direct_irradiance() const;
-  [[nodiscard]] std::vector<Rgb> indirect_irradiance(const Order& order) const;
+  [[nodiscard]] Rgb irradiance(const PlaneTable& table, float r, float mu_s) const;
+  [[nodiscard]] PlaneTable direct_irradiance() const;
+  [[nodiscard]] PlaneTable indirect_irradiance(const Order& order) const;
   [[nodiscard]] Rgb incident(const Order& order, const ScatteringPlace& place) const;
+  [[nodiscard]] ScatteringPlace place(int r, int mu, int mu_s, int nu) const;
   void fill_transmittance();
   void single_scattering(ScatteringTable& molecules, ScatteringTable& aerosol) const;
   void scattering_density(const Order& order, ScatteringTable& density) const;
@@ -93,7 +69,7 @@ private:
   Rgb aerosol_per_km_;
   float asymmetry_;
   Rgb albedo_;
-  std::vector<Rgb> transmittance_;
+  PlaneTable transmittance_;
   ScatteringTable molecules_; ///< single scattering by molecules and, over Rayleigh's phase function, all other orders
   ScatteringTable aerosol_;   ///< single scattering by aerosol
 };

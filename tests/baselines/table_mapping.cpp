@@ -14,12 +14,6 @@ float share(float distance, float shortest, float longest) {
   return longest > shortest ? std::clamp((distance - shortest) / (longest - shortest), 0.0F, 1.0F) : 0.0F;
 }
 
-/// Of distances to the top from the ground towards the Sun: that at the lowest Sun, as a share of the longest.
-float lowest_sun_share(const Shell& shell) {
-  const float shortest = shell.top_km - shell.ground_km;
-  return (shell.to_top_km(shell.ground_km, shell.lowest_mu_s) - shortest) / (shell.longest_level_km() - shortest);
-}
-
 } // namespace
 
 float Shell::longest_level_km() const { return std::sqrt(top_km * top_km - ground_km * ground_km); }
@@ -37,6 +31,15 @@ float Shell::to_edge_km(float r, float mu, bool to_ground) const {
   return to_ground ? to_ground_km(r, mu) : to_top_km(r, mu);
 }
 
+float sun_span_2017(const Shell& shell, float lowest_mu_s) {
+  return -2.0F * lowest_mu_s * shell.ground_km / (shell.longest_level_km() - (shell.top_km - shell.ground_km));
+}
+
+float sun_span_revised(const Shell& shell, float lowest_mu_s) {
+  const float shortest = shell.top_km - shell.ground_km;
+  return (shell.to_top_km(shell.ground_km, lowest_mu_s) - shortest) / (shell.longest_level_km() - shortest);
+}
+
 TransmittanceTexel transmittance_texel(const Shell& shell, const TableSizes& sizes, RayPlace ray) {
   const float level = shell.longest_level_km();
   const float horizon = shell.horizon_km(ray.r);
@@ -50,8 +53,8 @@ RayPlace transmittance_ray(const Shell& shell, const TableSizes& sizes, Transmit
   const float r = std::sqrt(horizon * horizon + shell.ground_km * shell.ground_km);
   const float shortest = shell.top_km - r;
   const float distance = shortest + texel.mu / last(sizes.transmittance_mu) * (horizon + level - shortest);
-  const float mu =
-      distance == 0.0F ? 1.0F
+  const float mu = distance == 0.0F
+                       ? 1.0F
                        : cosine((level * level - horizon * horizon - distance * distance) / (2.0F * r * distance));
   return {r, mu};
 }
@@ -71,14 +74,13 @@ ScatteringTexel scattering_texel(const Shell& shell, const TableSizes& sizes, co
   const float horizon = shell.horizon_km(place.r);
   const float last_of_half = last(sizes.scattering_mu / 2);
   const float distance = shell.to_edge_km(place.r, place.mu, place.meets_ground);
-  const float mu =
-      place.meets_ground
-          ? last_of_half * (1.0F - share(distance, place.r - shell.ground_km, horizon))
-          : last_of_half + 1.0F + last_of_half * share(distance, shell.top_km - place.r, horizon + level);
+  const float mu = place.meets_ground
+                       ? last_of_half * (1.0F - share(distance, place.r - shell.ground_km, horizon))
+                       : last_of_half + 1.0F + last_of_half * share(distance, shell.top_km - place.r, horizon + level);
 
   const float shortest = shell.top_km - shell.ground_km;
   const float a = (shell.to_top_km(shell.ground_km, place.mu_s) - shortest) / (level - shortest);
-  const float x_mu_s = std::max(1.0F - a / lowest_sun_share(shell), 0.0F) / (1.0F + a);
+  const float x_mu_s = std::max(1.0F - a / shell.sun_span, 0.0F) / (1.0F + a);
   return {horizon / level * last(sizes.scattering_r), mu, x_mu_s * last(sizes.scattering_mu_s),
           (0.5F * place.nu + 0.5F) * last(sizes.scattering_nu)};
 }
@@ -104,9 +106,8 @@ ScatteringPlace scattering_place(const Shell& shell, const TableSizes& sizes, co
 
   const float x_mu_s = texel.mu_s / last(sizes.scattering_mu_s);
   const float shortest = shell.top_km - shell.ground_km;
-  const float lowest = lowest_sun_share(shell);
-  const float a = (lowest - x_mu_s * lowest) / (1.0F + x_mu_s * lowest);
-  const float distance = shortest + std::min(a, lowest) * (level - shortest);
+  const float a = (1.0F - x_mu_s) * shell.sun_span / (1.0F + x_mu_s * shell.sun_span);
+  const float distance = shortest + std::min(a, shell.sun_span) * (level - shortest);
   const float mu_s =
       distance == 0.0F ? 1.0F : cosine((level * level - distance * distance) / (2.0F * shell.ground_km * distance));
 

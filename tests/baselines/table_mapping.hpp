@@ -1,5 +1,6 @@
 // How the published tables lie over the atmosphere: Bruneton and Neyret 2008 (Computer Graphics Forum 27, 1079), with
-// the mappings of the revision of 2017 (Bruneton, "Precomputed Atmospheric Scattering: a New Implementation").
+// the mappings of the new implementation of 2017 (Bruneton, "Precomputed Atmospheric Scattering: a New
+// Implementation").
 //
 // r: distance from the planet's centre in km. mu: cosine of the view's zenith angle. mu_s: of the Sun's. nu: cosine
 // between view and Sun. Places in a table are texels: 0 is the centre of the first, n - 1 that of the last.
@@ -23,7 +24,7 @@ struct TableSizes {
 struct Shell {
   float ground_km;
   float top_km;
-  float lowest_mu_s; ///< of the Sun, below which tables end
+  float sun_span; ///< of the Sun's mapping: to how low a Sun tables reach
 
   /// Length of the level ray from the ground to the top.
   [[nodiscard]] float longest_level_km() const;
@@ -32,8 +33,13 @@ struct Shell {
   [[nodiscard]] float to_top_km(float r, float mu) const;
   [[nodiscard]] float to_ground_km(float r, float mu) const;
   [[nodiscard]] bool meets_ground(float r, float mu) const;
-  [[nodiscard]] float to_edge_km(float r, float mu, bool meets_ground) const;
+  [[nodiscard]] float to_edge_km(float r, float mu, bool to_ground) const;
 };
+
+/// The mapping of mu_s in 2017: the Sun down to nearly lowest_mu_s.
+[[nodiscard]] float sun_span_2017(const Shell& shell, float lowest_mu_s);
+/// As revised later: down to lowest_mu_s.
+[[nodiscard]] float sun_span_revised(const Shell& shell, float lowest_mu_s);
 
 struct RayPlace {
   float r;

@@ -189,7 +189,8 @@ TEST(SingleScatteringBadInput, IsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const Medium air = published_medium();
-  const auto ask = [&](double height_km, const Vec3& light, const Vec3& view, std::vector<double> nm, double error) {
+  const auto ask = [&](double height_km, const Vec3& light, const Vec3& view, const std::vector<double>& nm,
+                       double error) {
     (void)single_scattering(air, {height_km * kilometre, light, 0.0 * deg, view}, nm, error);
   };
   EXPECT_NO_THROW(ask(0.0, zenith, zenith, {550.0}, 1.0e-6));
