@@ -111,13 +111,14 @@ TEST(TransportStability, AHundredTimesTheAir) {
     medium.ground_albedo = [albedo](double) { return albedo; };
     const ReferenceTransport transport(medium, {440.0});
     PathBudget budget;
-    budget.relative_error = 0.01;
+    budget.relative_error = 0.04;
+    budget.least_paths = 1024;
     budget.stream = back.size();
     back.push_back(transport.radiance({100.0 * kilometre, up, 0.0 * deg, down}, {}, budget).spectrum[0]);
   }
   EXPECT_GT(back[0].mean, 0.1 / pi);
   EXPECT_LT(back[0].mean, 1.0 / pi);
-  EXPECT_NEAR(back[0].mean, back[1].mean, 0.05 * back[0].mean);
+  EXPECT_NEAR(back[0].mean, back[1].mean, 4.0 * std::hypot(back[0].standard_error, back[1].standard_error));
 }
 
 TEST(TransportStability, LayersWithoutThicknessAndOverEachOther) {
