@@ -66,6 +66,12 @@ PathTracer::PathTracer(const SampledAir& air, const SpectralAir& optics, const T
       light_cos_radius_(std::cos(query.light_angular_radius.to(rad))),
       observer_km_(0.0, 0.0, air.ground_km() + query.height.to(kilometre)), throughput_(optics.size()),
       scattered_(optics.size()) {
+  for (std::size_t c = 0; c < air.component_count(); ++c) {
+    for (std::size_t k = 0; k < guide.wavelengths().size(); ++k) {
+      scattering_per_km_[c][k] = optics.scattering_per_km(c, guide.wavelengths()[k]);
+      extinction_per_km_[c][k] = optics.extinction_per_km(c, guide.wavelengths()[k]);
+    }
+  }
   march(observer_km_, query.view_direction, first_);
 }
 
@@ -105,29 +111,32 @@ void PathTracer::march(const Vec3& origin_km, const Vec3& direction, March& resu
     return (light_at_origin + (place_km - ray.origin_km) * cos_angle) / ray.radius_km(place_km);
   };
   SampledAir::PerComponent columns{};
+  Values passed_depth{};
   const auto add_cell = [&](double from, double to) {
     const double middle = 0.5 * (from + to);
     const double at = ray.radius_km(middle);
-    Cell cell{from, to, columns, {}, {}};
-    air_.add_columns(ray, from, to, columns);
     const SampledAir::PerComponent density = air_.density(at);
     const TransportGuide::Light light = guide_.light(at, cos_light_zenith(middle));
-    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-      const double depth = 0.5 * (optics_.optical_depth(cell.columns_km, wavelengths[k]) +
-                                  optics_.optical_depth(columns, wavelengths[k]));
-      const double passed = (to - from) * std::exp(-depth);
-      double guided = 0.0;
-      double plain = 0.0;
-      for (std::size_t c = 0; c < air_.component_count(); ++c) {
-        guided += density[c] * optics_.scattering_per_km(c, wavelengths[k]) *
-                  (phase[c][k] * light.beam[k] + light.scattered[k]);
-        plain += density[c] * optics_.mean_scattering_per_km(c);
+    Values depth_after{};
+    Values guided{};
+    double plain = 0.0;
+    Cell cell{from, to, columns, {}, {}};
+    air_.add_columns(ray, from, to, columns);
+    for (std::size_t c = 0; c < air_.component_count(); ++c) {
+      for (std::size_t k = 0; k < TransportGuide::most_wavelengths; ++k) {
+        depth_after[k] += extinction_per_km_[c][k] * columns[c];
+        guided[k] += density[c] * scattering_per_km_[c][k] * (phase[c][k] * light.beam[k] + light.scattered[k]);
       }
-      cell.guided[k] = passed * guided;
+      plain += density[c] * optics_.mean_scattering_per_km(c);
+    }
+    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
+      const double passed = (to - from) * std::exp(-0.5 * (passed_depth[k] + depth_after[k]));
+      cell.guided[k] = passed * guided[k];
       cell.plain[k] = passed * plain;
       result.guided_sum[k] += cell.guided[k];
       result.plain_sum[k] += cell.plain[k];
     }
+    passed_depth = depth_after;
     result.cells.push_back(cell);
     return optics_.least_optical_depth(columns) < opaque;
   };
@@ -147,7 +156,7 @@ void PathTracer::march(const Vec3& origin_km, const Vec3& direction, March& resu
     Cell ground{ray.end_km, ray.end_km, columns, {}, {}};
     const Values irradiance = guide_.ground_irradiance(cos_light_zenith(ray.end_km));
     for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-      const double passed = std::exp(-optics_.optical_depth(columns, wavelengths[k]));
+      const double passed = std::exp(-passed_depth[k]);
       ground.guided[k] = passed * optics_.albedo(wavelengths[k]) * irradiance[k] / pi;
       ground.plain[k] = passed * optics_.mean_albedo();
       result.guided_sum[k] += ground.guided[k];

@@ -6,6 +6,7 @@
 #include "vesper/atmosphere/spectral_air.hpp"
 #include "vesper/atmosphere/transport_guide.hpp"
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -80,6 +81,9 @@ private:
   int orders_;
   double light_cos_radius_;
   Vec3 observer_km_;
+  // Of the guide's wavelengths, by component.
+  std::array<Values, SampledAir::most_components> scattering_per_km_{};
+  std::array<Values, SampledAir::most_components> extinction_per_km_{};
   March first_; ///< of a radiance: the same for all its paths
   March march_;
   std::vector<double> throughput_; ///< over the density of the path for the wavelength it is drawn for

@@ -21,6 +21,9 @@ public:
   [[nodiscard]] double scattering_per_km(std::size_t component, std::size_t wavelength) const {
     return components_[component].scattering_per_km[wavelength];
   }
+  [[nodiscard]] double extinction_per_km(std::size_t component, std::size_t wavelength) const {
+    return components_[component].extinction_per_km[wavelength];
+  }
   /// Over all wavelengths, so that nothing which scatters at one of them is ever overlooked.
   [[nodiscard]] double mean_scattering_per_km(std::size_t component) const {
     return components_[component].mean_scattering_per_km;

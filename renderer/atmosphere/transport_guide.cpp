@@ -151,12 +151,10 @@ TransportGuide::ViewRay TransportGuide::view_ray(std::size_t height, std::size_t
     from_vertical = (radius_km + along_km * cos_zenith) / r;
     from_level = along_km * sin_zenith / r;
   };
-  constexpr double longest_km = 60.0;
-  air_.for_each_cell(ray, longest_km, [&](double from, double to) {
+  const auto add_step = [&](double from, double to, const SampledAir::PerComponent& before) {
     const double middle = 0.5 * (from + to);
-    SampledAir::PerComponent half = columns;
+    SampledAir::PerComponent half = before;
     air_.add_columns(ray, from, middle, half);
-    air_.add_columns(ray, from, to, columns);
     const double radius = ray.radius_km(middle);
     const SampledAir::PerComponent density = air_.density(radius);
     Step step{height_place(radius - air_.ground_km()), 0.0, 0.0, {}, {}};
@@ -169,6 +167,20 @@ TransportGuide::ViewRay TransportGuide::view_ray(std::size_t height, std::size_t
       }
     }
     view.steps.push_back(step);
+  };
+  // Cells are joined to steps that grow with height.
+  constexpr double longest_km = 60.0;
+  double step_from = ray.begin_km;
+  SampledAir::PerComponent step_columns{};
+  air_.for_each_cell(ray, longest_km, [&](double from, double to) {
+    air_.add_columns(ray, from, to, columns);
+    const double low_km = std::min(ray.radius_km(step_from), ray.radius_km(to)) - air_.ground_km();
+    const double rise_km = std::abs(ray.radius_km(to) - ray.radius_km(step_from));
+    if (to - step_from >= longest_km || rise_km >= 0.5 + 0.2 * low_km || to >= ray.end_km) {
+      add_step(step_from, to, step_columns);
+      step_from = to;
+      step_columns = columns;
+    }
     return true;
   });
   view.meets_ground = ray.meets_ground;
