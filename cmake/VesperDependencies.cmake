@@ -9,6 +9,7 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(ZLIB REQUIRED)
 find_package(Threads REQUIRED)
 pkg_check_modules(erfa REQUIRED IMPORTED_TARGET GLOBAL erfa)
+pkg_check_modules(tomlplusplus REQUIRED IMPORTED_TARGET GLOBAL tomlplusplus)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET GLOBAL epoxy)
 pkg_check_modules(egl REQUIRED IMPORTED_TARGET GLOBAL egl)
 # OpenImageIO's own CMake package names targets that Debian does not install.

@@ -35,7 +35,8 @@ template <class Node> std::string printed(const Node& node) {
 
 /// The value as an option's text, or nothing when its type does not fit.
 std::optional<std::string> value_text(const toml::node& node, SceneValueKind kind) {
-  const bool wants_text = kind == SceneValueKind::text || kind == SceneValueKind::time || kind == SceneValueKind::list;
+  const bool wants_text = kind == SceneValueKind::text || kind == SceneValueKind::time ||
+                          kind == SceneValueKind::list || kind == SceneValueKind::name_or_file;
   if (const auto* text = node.as_string(); text != nullptr && wants_text) {
     return text->get();
   }
@@ -75,6 +76,8 @@ const char* wanted(SceneValueKind kind) {
     return "an integer";
   case SceneValueKind::list:
     return "a string or an array of strings";
+  case SceneValueKind::name_or_file:
+    return "a string";
   }
   return "";
 }
@@ -113,12 +116,15 @@ GivenOptions read_scene_file(const fs::path& path) {
     if (option == table.end()) {
       fail(path, key.source(), fmt::format("key '{}' is unknown", name), "Known keys: " + known_keys());
     }
-    const auto text = value_text(node, option->kind);
+    auto text = value_text(node, option->kind);
     if (!text) {
       fail(path, node.source(),
            fmt::format("key '{}' holds {} of type {}", name, printed(toml::node_view<const toml::node>(node)),
                        type_name(node)),
            fmt::format("It takes {}", wanted(option->kind)));
+    }
+    if (option->kind == SceneValueKind::name_or_file && names_a_file(*text)) {
+      text = (path.parent_path() / *text).string();
     }
     given[std::string(name)] = {
         *text, fmt::format("key '{}'", name), path.string(),

@@ -2,10 +2,15 @@
 
 #include "common/option_text.hpp"
 
+#include "vesper/atmosphere/medium_file.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -181,6 +186,16 @@ std::string apply_tier(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_medium(std::string_view text, SceneOptions& scene) {
+  std::optional<Medium> medium = names_a_file(text) ? read_medium_file(text) : medium_by_name(text);
+  if (!medium) {
+    return join(medium_names()) + " or a file, its name with a slash or ending in .toml";
+  }
+  scene.medium_name = text;
+  scene.medium = std::make_shared<const Medium>(*std::move(medium));
+  return "";
+}
+
 std::string apply_layers(std::string_view text, SceneOptions& scene) {
   LayerSet layers;
   for (const std::string_view name : list_items(text)) {
@@ -255,6 +270,8 @@ constexpr std::array table{
                            apply_size},
     SceneOptionDescription{"tier", Kind::text, "NAME", model, "cheap, default or reference; default default",
                            apply_tier},
+    SceneOptionDescription{"medium", Kind::name_or_file, "NAME|FILE", model,
+                           "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
                            "What to draw, comma-separated: stars, planets, ground; default all", apply_layers},
     SceneOptionDescription{"sky", Kind::text, "NAME", model,
@@ -266,5 +283,9 @@ constexpr std::array table{
 } // namespace
 
 std::span<const SceneOptionDescription> scene_option_table() { return table; }
+
+bool names_a_file(std::string_view value) {
+  return value.find('/') != std::string_view::npos || value.ends_with(".toml");
+}
 
 } // namespace vesper

@@ -10,10 +10,11 @@ namespace vesper {
 /// What a scene file may hold for an option.
 enum class SceneValueKind {
   text,
-  time,    ///< text or a TOML date-time
-  number,  ///< integer or float
-  integer, ///< integer
-  list,    ///< comma-separated text or an array of text
+  time,         ///< text or a TOML date-time
+  number,       ///< integer or float
+  integer,      ///< integer
+  list,         ///< comma-separated text or an array of text
+  name_or_file, ///< text; a file without an absolute path lies beside the scene file
 };
 
 struct SceneOptionDescription {
@@ -28,5 +29,8 @@ struct SceneOptionDescription {
 };
 
 [[nodiscard]] std::span<const SceneOptionDescription> scene_option_table();
+
+/// Whether the value of an option of kind name_or_file is a file: it has a slash in it or ends in .toml.
+[[nodiscard]] bool names_a_file(std::string_view value);
 
 } // namespace vesper

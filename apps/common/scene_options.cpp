@@ -2,6 +2,7 @@
 
 #include "common/scene_option_table.hpp"
 
+#include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,9 @@ void apply(const SceneOptionDescription& described, const GivenOption& option, S
   try {
     allowed = described.apply(option.text, scene);
   } catch (const Error& e) {
+    if (e.kind() != ErrorKind::argument) {
+      throw; // of a file that the option names, and which the error names too
+    }
     throw Error(ErrorKind::argument, option.label + ": " + e.message(),
                 {option.file, option.place, e.context().remedy});
   }
@@ -127,6 +131,9 @@ SceneOptions scene_from(const GivenOptions& given) {
   }
   if (!given.contains("size") && scene.view.projection == Projection::cubemap) {
     scene.view.height = 6 * scene.view.width;
+  }
+  if (!scene.medium) {
+    scene.medium = std::make_shared<const Medium>(clear_medium());
   }
   assume_missing_place(scene);
   return scene;

@@ -5,6 +5,7 @@
 #include "vesper/astro/refraction.hpp"
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
+#include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
 
@@ -16,6 +17,7 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +42,8 @@ struct SceneOptions {
   std::optional<double> temperature_c; ///< likewise
   View view;
   Tier tier = Tier::standard;
+  std::string medium_name = "clear";    ///< of a preset, or the path of the file
+  std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::reference;
   std::uint64_t seed = 0; ///< of everything random
@@ -69,7 +73,8 @@ public:
   explicit SceneOptionSet(CLI::App& app);
 
   /// The scene after parsing: command line, then --scene FILE, then the user's settings, then defaults. Throws
-  /// Error(argument) naming the option or key, its value and the allowed range; for files also the path and line.
+  /// Error(argument) naming the option or key, its value and the allowed range; for files also the path and line. Of
+  /// files that options name: as scene_from.
   /// \param assumptions whether to say on standard error that a place or the time scale had to be assumed
   [[nodiscard]] SceneOptions resolve(Assumptions assumptions = Assumptions::said) const;
 
@@ -85,7 +90,7 @@ private:
 };
 
 /// Turns merged values into a scene: each option's own range and the ranges that depend on the projection.
-/// Throws Error(argument).
+/// Throws Error(argument); Error(file) and Error(input) for what is wrong with a file that an option names.
 [[nodiscard]] SceneOptions scene_from(const GivenOptions& given);
 
 /// Reads a flat TOML file whose keys are option names without dashes. Throws Error(argument) with the file and line for

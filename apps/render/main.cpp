@@ -66,6 +66,7 @@ ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan) {
       {"vesper:place", fmt::format("latitude {} deg, longitude {} deg, height {} m", scene.observer.latitude.to(deg),
                                    scene.observer.longitude.to(deg), scene.observer.height.to(metre))},
       {"vesper:air", air_text(plan.refraction)},
+      {"vesper:medium", plan.options.air.extinction ? scene.medium_name : "none"},
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
@@ -93,6 +94,7 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.layers = scene.layers;
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
   frame_options.air.refraction = options.refraction == "on";
+  frame_options.air.medium = scene.medium;
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;

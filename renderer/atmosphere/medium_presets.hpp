@@ -3,6 +3,11 @@
 
 #include "vesper/atmosphere/medium.hpp"
 
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
 namespace vesper {
 
 /// The coefficients of the published real-time models (Bruneton and Neyret 2008 with the ozone of later renderers), at
@@ -38,6 +43,22 @@ struct ClearAir {
 ///
 /// Throws Error(argument) for a value out of its range.
 [[nodiscard]] Medium clear_medium(const ClearAir& air = {});
+
+/// Throws Error(argument) naming the value that is out of its range.
+void validate(const ClearAir& air);
+
+/// Aerosol optical depth at 550 nm that belongs to a turbidity T, 1 or more: the optical depth of molecules and aerosol
+/// together is T times that of the molecules (Preetham et al. 1999; Hosek's thesis, eq. 4.1), here at 550 nm and sea
+/// level, where the molecules' is 0.097. Clear air by default has T = 2.0.
+[[nodiscard]] double aerosol_depth_from_turbidity(double turbidity);
+
+/// Every 10 nm over the range of the response functions, 360 to 830 nm.
+[[nodiscard]] std::vector<double> transport_wavelengths_nm();
+
+/// "clear" and "published".
+[[nodiscard]] std::span<const std::string_view> medium_names();
+/// None for another name.
+[[nodiscard]] std::optional<Medium> medium_by_name(std::string_view name);
 
 /// (6 + 3 rho) / (6 - 7 rho) for air with 450 ppm of carbon dioxide: Bodhaine et al. 1999 (J. Atmos. Ocean. Technol.
 /// 16, 1854, eq. 5, 6 and 23).

@@ -62,6 +62,12 @@ AirColumns columns_to_space(const Medium& medium, const Vec3& from_km, const Vec
   return columns(medium, from_km, direction, std::numeric_limits<double>::infinity());
 }
 
+double zenith_column_km(const HeightProfile& profile, Length ground_radius, Length top_radius) {
+  const Medium alone{ground_radius, top_radius, {}, {{"", profile, {}, {}, {}}}, {}};
+  const Vec3 zenith(0.0, 0.0, 1.0);
+  return columns_to_space(alone, ground_radius.to(kilometre) * zenith, zenith).km.front();
+}
+
 double OpticalDepth::transmittance() const { return std::exp(-value); }
 
 OpticalDepth optical_depth(const Medium& medium, const AirColumns& columns, double wavelength_nm) {

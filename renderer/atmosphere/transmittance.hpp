@@ -24,6 +24,9 @@ struct AirColumns {
 /// The same from a point to infinity. Throws Error(argument) for a direction that is not of unit length within 1e-9.
 [[nodiscard]] AirColumns columns_to_space(const Medium& medium, const Vec3& from_km, const Vec3& direction);
 
+/// The integral of a profile from the ground to the top, in km where the profile is 1.
+[[nodiscard]] double zenith_column_km(const HeightProfile& profile, Length ground_radius, Length top_radius);
+
 struct OpticalDepth {
   double value = 0; ///< infinite behind the ground
   double error = 0; ///< bound of the quadrature's error

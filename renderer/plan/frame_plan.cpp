@@ -1,6 +1,7 @@
 #include "vesper/plan/frame_plan.hpp"
 
-#include "vesper/atmosphere/clear_air.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/star_extinction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,8 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   }
   plan.star_copies = copies_of(view.projection);
   if (options.air.extinction) {
-    plan.optical_depth = clear_air_optical_depth_xyzs();
+    static const Medium clear = clear_medium();
+    plan.optical_depth = star_optical_depth_xyzs(options.air.medium ? *options.air.medium : clear, sky.observer.height);
   }
   if (options.air.refraction) {
     plan.refraction = with_table(sky.refraction);

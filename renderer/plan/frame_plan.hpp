@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/assets/star_catalogue.hpp"
+#include "vesper/atmosphere/medium.hpp"
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
@@ -9,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 
 namespace vesper {
@@ -17,6 +19,7 @@ namespace vesper {
 struct AirOptions {
   bool refraction = true;
   bool extinction = true;
+  std::shared_ptr<const Medium> medium; ///< what dims the stars; clear_medium() where there is none
   bool scintillation = true;
   /// Seconds over which scintillation is averaged: the eye's integration time by default; 0 for an instant.
   double exposure_s = 0.1;
@@ -43,7 +46,7 @@ struct FramePlan {
   bool cheap_stars = false;   ///< Mueller's point-spread function, fades and scintillation
   std::size_t star_count = 0; ///< a prefix of the catalogue
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
-  Vec4 optical_depth{};       ///< of one zenith column, in X, Y, Z, S
+  Vec4 optical_depth{};       ///< of one zenith column: star_optical_depth_xyzs
   Refraction refraction;      ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };

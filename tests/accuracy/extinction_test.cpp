@@ -1,7 +1,11 @@
-// The optical path and the extinction of clear air against published figures.
+// The optical path and the extinction of starlight against published figures.
 #include "vesper/astro/refraction.hpp"
-#include "vesper/atmosphere/clear_air.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/star_extinction.hpp"
+#include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/base/shader_math.hpp"
+
+#include "support/truth.hpp"
 
 #include <gtest/gtest.h>
 
@@ -72,12 +76,20 @@ TEST(OpticalPath, IsContinuousThroughTheHorizontal) {
   EXPECT_GT(f64::optical_path(std::sin(-0.05), 12.0), 2.0 * f64::optical_path(0.0, 12.0));
 }
 
-TEST(ClearAir, ZenithExtinctionInV) {
-  // V's effective wavelength for a solar spectrum is 550 nm; 0.20 to 0.30 magnitudes at a clear sea-level site.
-  const double magnitudes = 2.5 / std::numbers::ln10 * clear_air_optical_depth_xyzs().y;
-  std::printf("zenith extinction: %.3f mag\n", magnitudes);
-  EXPECT_GT(magnitudes, 0.20);
-  EXPECT_LT(magnitudes, 0.30);
+TEST(StarExtinction, AtTheZenithInV) {
+  // V's effective wavelength for a solar spectrum is 550 nm: 0.20 to 0.30 magnitudes at a clear sea-level site, 0.13 to
+  // 0.18 at an observatory.
+  const auto magnitudes = [](double height_m) {
+    const double depth = star_optical_depth_xyzs(clear_medium(), height_m * metre).y;
+    return 2.5 / std::numbers::ln10 * depth * f64::optical_path(1.0, 1.0e-3 * height_m);
+  };
+  const double sea_level = magnitudes(0.0);
+  const double mountain = magnitudes(2400.0);
+  std::printf("zenith extinction of stars: %.3f mag at sea level, %.3f mag at 2400 m\n", sea_level, mountain);
+  EXPECT_GT(sea_level, 0.20);
+  EXPECT_LT(sea_level, 0.30);
+  EXPECT_GT(mountain, 0.13);
+  EXPECT_LT(mountain, 0.18);
 }
 
 /// Rayleigh optical depth at sea level: the fit of Bodhaine et al. 1999 (J. Atmos. Ocean. Technol. 16, 1854, eq. 30).
@@ -87,18 +99,40 @@ double bodhaine_optical_depth(double micrometres) {
          (1.0 + 0.0027059889 / square - 85.968563 * square);
 }
 
-TEST(ClearAir, RayleighPartAgreesWithBodhaine) {
-  double worst = 0.0;
-  for (double nm = 400.0; nm <= 700.0; nm += 10.0) {
-    const double rayleigh = clear_air_optical_depth(nm, 0.0) - 0.10 * std::pow(nm / 550.0, -1.3);
-    worst = std::max(worst, std::abs(rayleigh / bodhaine_optical_depth(nm * 1.0e-3) - 1.0));
+TEST(StarExtinction, OfPureAirAgreesWithBodhaine) {
+  test::ErrorSum error;
+  const Vec4 depth = star_optical_depth_xyzs(clear_medium({0.0, 0.0, 1.3, 0.0, 0.0}), 0.0 * metre);
+  for (int channel = 0; channel < 4; ++channel) {
+    error.add(100.0 * (depth[channel] / bodhaine_optical_depth(1.0e-3 * star_wavelengths_nm[channel]) - 1.0));
   }
-  std::printf("Rayleigh optical depth against Bodhaine et al. 1999: worst %.2f %%\n", 100.0 * worst);
-  EXPECT_LT(worst, 0.01);
+  error.hold("optical depth of stars through pure air against Bodhaine et al. 1999", 0.2, "%");
 }
 
-TEST(ClearAir, BlueIsDimmedMost) {
-  const Vec4 depth = clear_air_optical_depth_xyzs();
+TEST(StarExtinction, OfTheShellAgreesWithRaysThroughTheMedium) {
+  test::ErrorSum high;
+  test::ErrorSum low;
+  for (const Medium& medium : {clear_medium(), published_medium()}) {
+    for (const double height_km : {0.0, 2.4}) {
+      const Vec4 shell = star_optical_depth_xyzs(medium, height_km * kilometre);
+      const Vec3 eye(0.0, 0.0, medium.ground_radius.to(kilometre) + height_km);
+      for (double altitude = 10.0; altitude <= 90.0; altitude += 1.0) {
+        const double radians = altitude * std::numbers::pi / 180.0;
+        const Vec3 direction = glm::normalize(Vec3(std::cos(radians), 0.0, std::sin(radians)));
+        const AirColumns columns = columns_to_space(medium, eye, direction);
+        for (int channel = 0; channel < 4; ++channel) {
+          const double exact = optical_depth(medium, columns, star_wavelengths_nm[channel]).value;
+          const double ours = shell[channel] * f64::optical_path(direction.z, height_km);
+          (altitude >= 20.0 ? high : low).add(2.5 / std::numbers::ln10 * (ours - exact));
+        }
+      }
+    }
+  }
+  high.hold("extinction of stars above 20 degrees against rays through the medium", 0.005, "mag");
+  low.hold("extinction of stars from 10 to 20 degrees against rays through the medium", 0.03, "mag");
+}
+
+TEST(StarExtinction, BlueIsDimmedMost) {
+  const Vec4 depth = star_optical_depth_xyzs(clear_medium(), 0.0 * metre);
   EXPECT_GT(depth.z, depth.w);
   EXPECT_GT(depth.w, depth.y);
   EXPECT_GT(depth.y, depth.x);

@@ -1,8 +1,12 @@
 // Frames as a whole: layers, strips, display mapping, tiers, scintillation as drawn.
 #include "render/render_fixture.hpp"
 
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/transmittance.hpp"
+
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 namespace vesper::test {
 namespace {
@@ -180,6 +184,40 @@ TEST_F(Frames, ExtinctionDimsByTheStatedOpticalDepth) {
       EXPECT_NEAR(ratio, expected, 2.0e-3 * ratio) << altitude << " " << channel;
     }
   }
+}
+
+TEST_F(Frames, ThickAirDimsTheStarsAsItsMediumTells) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 10.0 * deg;
+  view.width = view.height = 64;
+  SkyState sky = still_sky();
+  sky.observer.height = 2400.0 * metre;
+  const std::vector<StarRecord> stars{white_star({0.0, 0.0, 1.0}, 2.54e-7)};
+  renderer.load(catalogue_of(stars));
+  FrameOptions options = bare_stars();
+  const auto light = [&] {
+    const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+    return illuminance_in(frame, view, 0, 0, 64, 64);
+  };
+  const double above_the_air = light();
+  options.air.extinction = true;
+  const double clear = light();
+  ClearAir haze;
+  haze.aerosol_optical_depth = 3.0;
+  const Medium thick = clear_medium(haze);
+  options.air.medium = std::make_shared<const Medium>(thick);
+  const double dimmed = light();
+  EXPECT_LT(dimmed, clear);
+  // Against the quadrature through the medium itself.
+  const Vec3 zenith(0.0, 0.0, 1.0);
+  const double depth =
+      optical_depth(thick,
+                    columns_to_space(thick, (thick.ground_radius + sky.observer.height).to(kilometre) * zenith, zenith),
+                    555.0)
+          .value;
+  std::printf("%.2f magnitudes of haze from 2400 m\n", -2.5 * std::log10(dimmed / clear));
+  EXPECT_NEAR(dimmed / above_the_air, std::exp(-depth), 2.0e-3 * std::exp(-depth));
 }
 
 TEST_F(Frames, ScintillationIsAFunctionOfStarTimeAndSeed) {

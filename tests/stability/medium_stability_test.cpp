@@ -1,5 +1,6 @@
 // Media and paths at the ends of their ranges.
 #include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/star_extinction.hpp"
 #include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/shader_math.hpp"
@@ -24,7 +25,8 @@ Medium single(const HeightProfile& profile, double per_km) {
   return {6360.0 * kilometre,
           6460.0 * kilometre,
           always(0.0),
-          {{"one", profile, always(per_km), always(0.0), {PhaseKind::rayleigh, always(0.0)}}}};
+          {{"one", profile, always(per_km), always(0.0), {PhaseKind::rayleigh, always(0.0)}}},
+          {550.0}};
 }
 
 double depth_to_space(const Medium& medium, const Vec3& from, const Vec3& direction) {
@@ -118,6 +120,24 @@ TEST(TransmittanceStability, EveryAltitudeFromEveryHeight) {
       const double through = optical_depth(air, columns, 360.0).transmittance();
       EXPECT_TRUE(through >= 0.0 && through <= 1.0) << height << " " << i;
     }
+  }
+}
+
+TEST(StarExtinctionStability, TheZenithIsTheMediumsFromEveryHeight) {
+  for (const Medium& air : {clear_medium(), published_medium(), clear_medium({0.0, 0.0, 1.3, 0.0, 0.0})}) {
+    for (const double height_km : {0.0, 1.0e-9, 2.4, 12.0, 50.0, 100.0, 120.0, 1.0e4}) {
+      const Vec4 depth = star_optical_depth_xyzs(air, height_km * kilometre);
+      for (int channel = 0; channel < 4; ++channel) {
+        const double exact =
+            optical_depth(air, columns_to_space(air, (air.ground_radius.to(kilometre) + height_km) * zenith, zenith),
+                          star_wavelengths_nm[channel])
+                .value;
+        EXPECT_TRUE(std::isfinite(depth[channel])) << height_km;
+        EXPECT_NEAR(depth[channel] * f64::optical_path(1.0, height_km), exact, 1.0e-12 * exact) << height_km;
+      }
+    }
+    // Below the sea the column goes on without a step.
+    EXPECT_EQ(star_optical_depth_xyzs(air, -400.0 * metre), star_optical_depth_xyzs(air, 0.0 * metre));
   }
 }
 

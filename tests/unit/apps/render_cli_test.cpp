@@ -64,6 +64,10 @@ TEST_F(RenderCli, LayersAndAirCanBeLeftOut) {
   EXPECT_GT(light("--layers stars"), 1.3 * all);
   EXPECT_EQ(light("--layers ground"), 0.0);
   EXPECT_GT(light("--extinction off"), 1.2 * all);
+  write("thick.toml", "base = \"clear\"\naerosol_optical_depth = 2\n");
+  EXPECT_LT(light("--medium thick.toml"), 0.3 * all);
+  EXPECT_GT(light("--medium published"), 1.05 * all);
+  EXPECT_EQ(light("--medium clear"), all);
   EXPECT_NE(light("--scintillation off"), all);
   EXPECT_NE(light("--refraction off"), all);
   EXPECT_NE(light("--pressure 500"), all);
@@ -94,11 +98,12 @@ TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   expect_failure(2, "--layers stars,unicorns" + to, {"--layers", "unicorns"});
   expect_failure(2, "--time yesterday" + to, {"--time", "yesterday"});
   expect_failure(2, "--tier best" + to, {"--tier", "best"});
+  expect_failure(2, "--medium mars" + to, {"--medium", "mars", "clear, published"});
   expect_failure(2, "--scintillation maybe" + to, {"--scintillation", "maybe"});
   expect_failure(2, "--refraction maybe" + to, {"--refraction", "maybe"});
   expect_failure(2, "--pressure 2000" + to, {"--pressure", "2000", "1100"});
   expect_failure(2, "--exposure-time -1" + to, {"--exposure-time", "-1"});
-  expect_failure(2, "--medium clear" + to, {"--medium"}); // arrives with the atmosphere
+  expect_failure(2, "--tolerance 1" + to, {"--tolerance"}); // arrives with the plan
   EXPECT_FALSE(std::filesystem::exists(path("sky.png")));
 }
 
@@ -106,6 +111,9 @@ TEST_F(RenderCli, FailuresWhileWorkingExitWithOneAndLeaveEarlierOutputIntact) {
   const std::string small = std::string(scene) + "--size 16x16 ";
   expect_failure(1, small + "-o " + path("missing/sky.png"), {"missing/sky.png", "Create the folder"});
   expect_failure(2, small + "-o /dev/full --exposure 0", {"/dev/full"});
+  expect_failure(1, small + "--medium none.toml -o " + path("sky.png"), {"none.toml"});
+  write("air.toml", "base = \"clear\"\nozone = \"300\"\n");
+  expect_failure(1, small + "--medium air.toml -o " + path("sky.png"), {"air.toml: line 2, key 'ozone'", "DU"});
   expect_failure(1, small + "--catalogue " + path("none.glb") + " -o " + path("sky.png"), {"none.glb"});
   write("bad.glb", "not a star buffer");
   write("sky.png", "earlier");

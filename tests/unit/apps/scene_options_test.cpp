@@ -113,6 +113,8 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
       {{"--size", "100x100x100"}, "WIDTHxHEIGHT"},
       {{"--size", "100x200", "--projection", "cubemap"}, "Wx6W"},
       {{"--tier", "best"}, "cheap, default, reference"},
+      {{"--medium", "mars"}, "--medium: 'mars' is not allowed; allowed: clear, published or a file"},
+      {{"--medium", ""}, "clear, published or a file"},
       {{"--layers", "stars,moonbase"}, "stars, planets, ground"},
       {{"--layers", "stars,"}, "stars, planets, ground"},
       {{"--seed", "-1"}, "0 to 18446744073709551615"},
@@ -137,6 +139,43 @@ TEST_F(SceneOptionsTest, TheAirIsTheStandardAtmospheresUnlessGiven) {
   EXPECT_EQ(given.model, RefractionModel::published);
   EXPECT_EQ(given.conditions.pressure_hpa, 780.5);
   EXPECT_EQ(given.conditions.temperature_c, -7.0);
+}
+
+TEST_F(SceneOptionsTest, TheMediumIsClearAirUnlessGiven) {
+  const SceneOptions scene = resolve({});
+  EXPECT_EQ(scene.medium_name, "clear");
+  ASSERT_TRUE(scene.medium);
+  EXPECT_EQ(scene.medium->components.size(), 4U);
+  EXPECT_EQ(resolve({"--medium", "published"}).medium->components.size(), 3U);
+}
+
+TEST_F(SceneOptionsTest, AMediumsFileLiesBesideTheSceneFile) {
+  write("hazy.toml", "base = \"clear\"\nground_albedo = 0.75\n");
+  std::filesystem::create_directories(folder() / "scenes");
+  write("scenes/hazier.toml", "base = \"clear\"\nground_albedo = 0.5\n");
+  const std::string scene_file = write("scenes/scene.toml", "medium = \"hazier.toml\"\n");
+  const SceneOptions scene = resolve({"--scene", scene_file});
+  EXPECT_EQ(scene.medium->ground_albedo(550.0), 0.5);
+  EXPECT_EQ(scene.medium_name, path("scenes/hazier.toml"));
+  EXPECT_EQ(resolve({"--scene", scene_file, "--medium", path("hazy.toml")}).medium->ground_albedo(550.0), 0.75);
+  EXPECT_EQ(
+      resolve({"--scene", write("scenes/other.toml", "medium = \"../hazy.toml\"\n")}).medium->ground_albedo(550.0),
+      0.75);
+}
+
+TEST_F(SceneOptionsTest, FaultsOfAMediumsFileAreNoFaultsOfTheOption) {
+  const auto kind_of = [](const std::vector<std::string>& arguments) {
+    try {
+      (void)resolve(arguments);
+    } catch (const Error& e) {
+      return e.kind();
+    }
+    return ErrorKind::gpu;
+  };
+  EXPECT_EQ(kind_of({"--medium", path("none.toml")}), ErrorKind::file);
+  EXPECT_EQ(kind_of({"--medium", write("bad.toml", "base = \"clear\"\nozone = 300\n")}), ErrorKind::input);
+  // What the command line overrides is not looked at.
+  EXPECT_NO_THROW((void)resolve({"--scene", write("s.toml", "medium = \"bad.toml\"\n"), "--medium", "clear"}));
 }
 
 TEST_F(SceneOptionsTest, FaultsInFilesNameFileAndLine) {
@@ -167,6 +206,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "time"       ? "2026-08-12"
              : option.name == "time-scale" ? "\"tt\""
              : option.name == "calendar"   ? "\"gregorian\""
+             : option.name == "medium"     ? "\"published\""
                                            : "7") +
             "\n";
   }
@@ -175,6 +215,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
   EXPECT_EQ(scene.view.width, 640);
   EXPECT_EQ(scene.tier, Tier::cheap);
   EXPECT_EQ(scene.seed, 7U);
+  EXPECT_EQ(scene.medium_name, "published");
   EXPECT_EQ(scene.instant.tt.days_since({2461264.5, 0.0}), 0.0);
 }
 
