@@ -98,10 +98,9 @@ std::vector<SkyLight> lights_of(const SkyState& sky) {
   const BodyPlace& moon = sky.moon.place;
   const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
   const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{
-      sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
-      moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
-                 glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  std::vector<SkyLight> lights{sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
+                               moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
+                                          glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;

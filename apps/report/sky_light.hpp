@@ -12,8 +12,8 @@ namespace vesper {
 
 /// A light so far away that it looks the same from all of the air.
 struct SkyLight {
-  std::string name;    ///< "sun" or "moon"
-  Vec3 direction;      ///< towards its centre, as seen: horizon frame
+  std::string name; ///< "sun" or "moon"
+  Vec3 direction;   ///< towards its centre, as seen: horizon frame
   Angle angular_radius;
   Spectrum irradiance; ///< above the air, W/(m2 nm)
 };

@@ -8,6 +8,7 @@
 #include "support/folder_test.hpp"
 
 #include "vesper/astro/spherical.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/light/response_functions.hpp"
 
@@ -178,7 +179,7 @@ TEST(SkyRequest, TheFingerprintIsThatOfTheAnswer) {
   const auto digest = [](const SkyOptions& sky, const BudgetOptions& budget, const SceneOptions& scene) {
     return fingerprint(sky_request(sky, budget, scene, std::nullopt, false));
   };
-  const SceneOptions scene;
+  const SceneOptions scene = scene_from({});
   const std::string first = digest(options, {}, scene);
   BudgetOptions threads;
   threads.threads = "7";
@@ -193,6 +194,9 @@ TEST(SkyRequest, TheFingerprintIsThatOfTheAnswer) {
   SceneOptions seeded = scene;
   seeded.seed = 1;
   EXPECT_NE(digest(options, {}, seeded), first);
+  SceneOptions thicker = scene;
+  thicker.medium = std::make_shared<const Medium>(clear_medium({.aerosol_optical_depth = 0.11}));
+  EXPECT_NE(digest(options, {}, thicker), first);
   SkyOptions lower = options;
   lower.sun_altitude = "9";
   EXPECT_NE(digest(lower, {}, scene), first);
