@@ -2,7 +2,9 @@
 
 #include "report/sky_light.hpp"
 
+#include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/light/spectral_weights.hpp"
+#include "vesper/light/sunlight.hpp"
 
 #include <array>
 #include <bit>
@@ -53,7 +55,12 @@ double zenith_luminance_cd_m2(const ReportedScene& scene) {
       .mean;
 }
 
+double zenith_extinction(const ReportedScene& scene) {
+  return zenith_extinction_v_mag(scene.air.medium(), height_in_air(scene.sky.observer), solar_irradiance_1au());
+}
+
 constexpr std::array columns{
+    SceneColumn{"zenith_extinction_v_mag", zenith_extinction},
     SceneColumn{"horizontal_illuminance_lux", horizontal_illuminance_lux, true},
     SceneColumn{"zenith_luminance_cd_m2", zenith_luminance_cd_m2, true},
 };

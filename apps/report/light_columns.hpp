@@ -4,8 +4,10 @@
 
 namespace vesper {
 
-/// How bright it is, from the scene's model of the sky; to be asked for by name, since a row takes seconds.
+/// What the air does to light and how bright it is, from the scene's medium and model of the sky; to be asked for by
+/// name, since all but the first take seconds a row.
 ///
+/// - zenith_extinction_v_mag: magnitudes in V that sunlight loses from the zenith down to the observer.
 /// - horizontal_illuminance_lux: of Sun and Moon, their own light through the air (a disc that the horizon cuts counts
 ///   in part) and that of the sky and the ground.
 /// - zenith_luminance_cd_m2: of the sky there, without the discs of Sun and Moon.

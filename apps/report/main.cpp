@@ -193,10 +193,11 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                                             "CSV of scenes with the columns utc (or jd_tt, jd_ut1), latitude_deg, "
                                             "longitude_deg, height_m; others pass through")
                                  ->type_name("FILE");
-  app.add_option("--columns", options.columns,
-                 "Comma-separated quantities to report, also venus_magnitude and its like, and, from the reference sky "
-                 "in seconds a scene, horizontal_illuminance_lux and zenith_luminance_cd_m2; default, the usual ones, "
-                 "and planets stand for groups; default default")
+  app.add_option(
+         "--columns", options.columns,
+         "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
+         "medium and, from the reference sky in seconds a scene, horizontal_illuminance_lux and "
+         "zenith_luminance_cd_m2; default, the usual ones, and planets stand for groups; default default")
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 

@@ -87,17 +87,16 @@ private:
         file_.fail(key, e.message(), e.context().remedy);
       }
     };
-    constexpr double limit = 1.0e300; // the ranges proper are validate's
     for (const ClearKnob& knob : {ClearKnob{"aerosol_optical_depth", &ClearAir::aerosol_optical_depth},
                                   ClearKnob{"stratospheric_optical_depth", &ClearAir::stratospheric_optical_depth},
                                   ClearKnob{"angstrom_exponent", &ClearAir::angstrom_exponent}}) {
       if (file_.has(knob.key)) {
-        air.*knob.value = file_.number(knob.key, {-limit, limit});
+        air.*knob.value = file_.number(knob.key, any_number);
         held(knob.key);
       }
     }
     if (file_.has("ozone")) {
-      air.ozone_dobson = file_.quantity("ozone", QuantityKind::ozone_column, {-limit, limit});
+      air.ozone_dobson = file_.quantity("ozone", QuantityKind::ozone_column, any_number);
       held("ozone");
     }
     if (file_.has("turbidity")) {
@@ -190,7 +189,7 @@ private:
   /// Heights that must lie in the air.
   [[nodiscard]] std::vector<double> heights(const TomlTable& table, std::string_view key) const {
     const double top_km = (medium_.top_radius - medium_.ground_radius).to(kilometre);
-    std::vector<double> heights_km = table.quantities(key, QuantityKind::height, {-1.0e9, 1.0e9});
+    std::vector<double> heights_km = table.quantities(key, QuantityKind::height, any_number);
     for (const double km : heights_km) {
       // A top that was written in km must not lose its last bit to the radii.
       if (!(km >= 0.0 && km <= top_km * (1.0 + 1.0e-9))) {

@@ -22,7 +22,7 @@ struct Unit {
 };
 
 constexpr std::array height_units{Unit{"km"}, Unit{"m", 1.0e-3}};
-constexpr std::array wavelength_units{Unit{"nm"}, Unit{"um", 1.0e3}};
+constexpr std::array wavelength_units{Unit{"nm"}, Unit{"um", 1.0e3}, Unit{"\u00b5m", 1.0e3}};
 constexpr std::array coefficient_units{Unit{"/km"}, Unit{"/m", 1.0e3}, Unit{"1/km"}, Unit{"1/m", 1.0e3}};
 constexpr std::array ozone_units{Unit{"DU"}};
 constexpr std::array pressure_units{Unit{"hPa"}, Unit{"mbar"}, Unit{"Pa", 1.0e-2}};

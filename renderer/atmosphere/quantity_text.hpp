@@ -10,7 +10,7 @@ namespace vesper {
 /// What is measured, and the unit that values are read into.
 enum class QuantityKind {
   height,       ///< km; written in km, m
-  wavelength,   ///< nm; nm, um
+  wavelength,   ///< nm; nm, um, with a micro sign too
   coefficient,  ///< 1/km; /km, /m, 1/km, 1/m
   ozone_column, ///< Dobson units; DU
   pressure,     ///< hPa; hPa, mbar, Pa

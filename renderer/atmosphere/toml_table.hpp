@@ -4,6 +4,7 @@
 #include "vesper/atmosphere/quantity_text.hpp"
 
 #include <initializer_list>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ struct Range {
   double lowest;
   double highest;
 };
+/// Whoever reads it checks what is allowed.
+inline constexpr Range any_number{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max()};
 
 /// Reads what stands under a key. All of it throws Error(input) with file, line, key and remedy when the key is
 /// missing, when its value is of another type, not finite or out of its range.

@@ -181,6 +181,44 @@ TEST_F(ReportCli, PlanetColumnsAreThereForTheAsking) {
   EXPECT_EQ(run("--columns pluto_magnitude --batch " + in).status, 2);
 }
 
+TEST_F(ReportCli, ZenithExtinctionIsThatOfTheMediumAboveTheObserver) {
+  const auto extinction = [&](const std::string& options) {
+    const CommandResult result =
+        run("--json --columns zenith_extinction_v_mag --time 2026-01-15T22:00:00Z --latitude 28 --longitude -17 " +
+            options);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return json::parse(result.out).at("zenith_extinction_v_mag").get<double>();
+  };
+  // What observers find at clear sites.
+  const double sea_level = extinction("--height 0");
+  EXPECT_GT(sea_level, 0.20);
+  EXPECT_LT(sea_level, 0.30);
+  const double mountain = extinction("--height 2400");
+  EXPECT_GT(mountain, 0.13);
+  EXPECT_LT(mountain, 0.18);
+  // An optical depth of 1 that is grey is 1.086 magnitudes.
+  write("grey.toml", "base = \"clear\"\n[[component]]\nname = \"fog\"\nscattering = \"10 /km\"\n"
+                     "profile = { kind = \"exponential\", scale = \"100 m\" }\n"
+                     "phase = { kind = \"henyey-greenstein\", asymmetry = 0.8 }\n");
+  EXPECT_NEAR(extinction("--height 0 --medium grey.toml") - sea_level, 1.0857, 1.0e-4);
+  // Heights of a table.
+  write("in.csv", "utc,latitude_deg,longitude_deg,height_m\n2026-01-15T22:00:00Z,28,-17,0\n"
+                  "2026-01-15T22:00:00Z,28,-17,2400\n");
+  ASSERT_EQ(run("--batch in.csv -o out.csv --columns zenith_extinction_v_mag").status, 0);
+  const CsvTable rows = table("out.csv");
+  const std::size_t column = rows.column("zenith_extinction_v_mag");
+  EXPECT_EQ(rows.number(0, column), sea_level);
+  EXPECT_EQ(rows.number(1, column), mountain);
+}
+
+TEST_F(ReportCli, TheMediumsFaultsAreToldApart) {
+  expect_failure(2, "--medium mars", {"--medium", "'mars'", "clear, published"});
+  expect_failure(1, "--medium none.toml", {"none.toml"});
+  write("air.toml", "base = \"clear\"\naerosol_optical_dept = 0.1\n");
+  expect_failure(1, "--medium air.toml",
+                 {"air.toml: line 2, key 'aerosol_optical_dept'", "Did you mean 'aerosol_optical_depth'?"});
+}
+
 TEST_F(ReportCli, StarsById) {
   const CommandResult result =
       run(std::string("stars --ids 'HR2491,hd 172167,polaris' --time 2026-01-15T22:00:00Z") + place);

@@ -121,7 +121,7 @@ TEST(MediumFile, UnitsAreConverted) {
            with("0.01 /km", "1e-5 1/m", with("6360 km", "6.36e6m", with("100 km", " +100000 m "))));
   expect_same(parse_medium(other, "x"), a, 360.0, 830.0);
   const Medium table =
-      parse_medium(with("\"0.01 /km\"", "{ wavelengths = \"0.36, 0.83 um\", values = \"20e-6 /m, 0.01 /km\" }"), "x");
+      parse_medium(with("\"0.01 /km\"", R"({ wavelengths = "0.36 µm, 0.83 um", values = "20e-6 /m, 0.01 /km" })"), "x");
   EXPECT_NEAR(table.components[0].scattering_per_km(360.0), 0.02, 1.0e-15);
   EXPECT_NEAR(table.components[0].scattering_per_km(595.0), 0.015, 1.0e-15);
   const std::string molecules = R"([[component]]
@@ -156,7 +156,7 @@ profile = { kind = "tent", lowest = "15 km", peak = "15 km", highest = "30 km" }
 TEST(MediumFile, WavelengthsOfTransportFollowTheTables) {
   EXPECT_EQ(parse_medium(small, "x").wavelengths_nm, transport_wavelengths_nm());
   const std::string narrow =
-      with("\"0.01 /km\"", "{ wavelengths = \"435, 500, 695 nm\", values = \"0.02, 0.02, 0.01 /km\" }");
+      with("\"0.01 /km\"", R"({ wavelengths = "435, 500, 695 nm", values = "0.02, 0.02, 0.01 /km" })");
   const Medium medium = parse_medium(narrow, "x");
   EXPECT_EQ(medium.wavelengths_nm.front(), 440.0);
   EXPECT_EQ(medium.wavelengths_nm.back(), 690.0);
@@ -248,7 +248,7 @@ TEST(MediumBadFile, ValuesOutOfRange) {
   expect_refused({with("100 km", "-1 km"), {"line 2, key 'top_height'"}});
   expect_refused({with("\"2 km\"", "\"0 m\""), {"line 6, key 'component.profile.scale'"}});
   expect_refused({"base = \"clear\"\naerosol_optical_depth = -0.1\n", {"line 2, key 'aerosol_optical_depth'", "-0.1"}});
-  expect_refused({"base = \"clear\"\nangstrom_exponent = nan\n", {"line 2, key 'angstrom_exponent'"}});
+  expect_refused({"base = \"clear\"\nangstrom_exponent = inf\n", {"line 2, key 'angstrom_exponent'", "finite number"}});
   expect_refused({"base = \"clear\"\nozone = \"-1 DU\"\n", {"line 2, key 'ozone'"}});
   expect_refused({"base = \"clear\"\nground_albedo = -0.5\n", {"line 2, key 'ground_albedo'"}});
   expect_refused({"base = \"clear\"\nturbidity = 0.9\n", {"line 2, key 'turbidity'", "1 to 100"}});
@@ -257,7 +257,7 @@ TEST(MediumBadFile, ValuesOutOfRange) {
 }
 
 TEST(MediumBadFile, Layers) {
-  const auto profile = [](std::string_view text) { return with("{ kind = \"exponential\", scale = \"2 km\" }", text); };
+  const auto profile = [](std::string_view text) { return with(R"({ kind = "exponential", scale = "2 km" })", text); };
   expect_refused({profile(R"({ kind = "tent", lowest = "10 km", peak = "20 km", highest = "101 km" })"),
                   {"line 6, key 'component.profile.highest'", "101 km lies outside the air", "100 km"}});
   expect_refused({profile(R"({ kind = "tent", lowest = "-1 km", peak = "20 km", highest = "30 km" })"),
