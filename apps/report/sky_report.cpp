@@ -34,8 +34,8 @@ public:
         weighted.light.direction = point.sun->direction();
       }
     }
-    PathBudget budget = request_.budget;
-    budget.threads = threads;
+    LightBudget budget{request_.budget};
+    budget.paths.threads = threads;
     SkyEstimate estimate =
         sky_radiance(*transport_, request_.height, point.place.direction(), lights, request_.quantities.size(), budget);
     std::vector<double> values;
