@@ -129,13 +129,13 @@ Medium clear_medium(const ClearAir& air) {
   validate(air);
   const double high_depth = std::min(air.stratospheric_optical_depth, air.aerosol_optical_depth);
   constexpr double low_scale_km = 1.5;
-  constexpr double low_albedo = 0.95;
+  constexpr double low_albedo = 0.925;
   const WavelengthLaw low_per_km = angstrom((air.aerosol_optical_depth - high_depth) / low_scale_km, air);
   constexpr double high_from_km = 12.0;
   constexpr double high_peak_km = 20.0;
   constexpr double high_to_km = 35.0;
   const WavelengthLaw high_per_km = angstrom(high_depth / (0.5 * (high_to_km - high_from_km)), air);
-  const PhaseFunction droplets{PhaseKind::henyey_greenstein, constant(0.70)};
+  const PhaseFunction droplets{PhaseKind::henyey_greenstein, constant(0.703)};
 
   const HeightProfile ozone = standard_ozone_profile();
   const PhaseFunction molecular{PhaseKind::rayleigh, air_depolarization};

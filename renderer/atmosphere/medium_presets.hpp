@@ -22,24 +22,25 @@ struct ClearAir {
   /// The part of it above the weather, 0 to 1 (0.1 and more after great volcanic eruptions), at most all of it.
   double stratospheric_optical_depth = 0.005;
   double angstrom_exponent = 1.3; ///< optical depth goes as wavelength to minus this, -1 to 4
-  double ozone_dobson = 300.0;    ///< 0 to 1000
-  double ground_albedo = 0.15;    ///< at all wavelengths, 0 to 1
+  double ozone_dobson = 348.0;    ///< 0 to 1000; the standard atmosphere's, about the mean of middle latitudes
+  double ground_albedo = 0.10;    ///< at all wavelengths, 0 to 1
 };
 
 /// Clear air by wavelength, 360 to 830 nm, over a sphere of the Earth's mean radius, to 120 km.
 ///
 /// - Molecules: `rayleigh_per_km`, density by height of the US Standard Atmosphere 1976.
 /// - Aerosol of the troposphere: Angstrom's law; density falls with 1.5 km, as the extinction of high observatories
-///   tells (Hayes and Latham 1975, ApJ 197, 593). Single-scattering albedo 0.95 and g = 0.70 (Henyey and Greenstein),
-///   about halfway from the continental clean (0.972, 0.709) to the average (0.925, 0.703) of OPAC at 550 nm
-///   and 80 % humidity (Hess et al. 1998, Bull. Am. Meteorol. Soc. 79, 831).
+///   tells (Hayes and Latham 1975, ApJ 197, 593). Single-scattering albedo 0.925 and g = 0.703 (Henyey and Greenstein)
+///   of OPAC's continental average at 550 nm and 80 % humidity (Hess et al. 1998, Bull. Am. Meteorol. Soc. 79, 831).
+///   Its continental clean air (0.972, 0.709) would give 2 % more light with the Sun low, further from what is measured
+///   (tests/accuracy/transport_test.cpp).
 /// - Aerosol of the stratosphere: optical depth and height (12 to 35 km) as in OPAC, densest at 20 km; droplets of
 ///   sulphuric acid that absorb nothing; g and Angstrom exponent of the troposphere (OPAC's droplets: 0.72 and 0.95).
-/// - Ozone: absorption at 233 K (Gorshelev, Serdyuchenko et al. 2014), the mid-latitude profile of the US Standard
-///   Atmosphere 1976.
-/// - Ground: grey. The spectrum of green plants (0.08 at 450, 0.13 at 550, 0.07 at 650, 0.5 beyond 750 nm: the code 6S,
-///   Vermote et al. 1997, IEEE Trans. Geosci. Remote Sens. 35, 675) in place of 0.15 would take 2 % of Y and 5 % of Z
-///   from the diffuse light of the sky with the Sun at 60 degrees, 1 % with the Sun at 10.
+/// - Ozone: absorption at 233 K (Gorshelev, Serdyuchenko et al. 2014), the mid-latitude profile and column of the US
+///   Standard Atmosphere 1976.
+/// - Ground: grey, about as bright to the eye as green plants (0.08 at 450, 0.13 at 550, 0.07 at 650, 0.5 beyond 750
+/// nm:
+///   the code 6S, Vermote et al. 1997, IEEE Trans. Geosci. Remote Sens. 35, 675).
 ///
 /// Throws Error(argument) for a value out of its range.
 [[nodiscard]] Medium clear_medium(const ClearAir& air = {});

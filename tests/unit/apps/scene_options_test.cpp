@@ -207,6 +207,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "time-scale" ? "\"tt\""
              : option.name == "calendar"   ? "\"gregorian\""
              : option.name == "medium"     ? "\"published\""
+             : option.name == "sky"        ? "\"reference\""
                                            : "7") +
             "\n";
   }
