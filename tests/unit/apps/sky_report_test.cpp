@@ -96,11 +96,19 @@ TEST(SkyLight, LightsStandWhereRefractionShowsThem) {
 }
 
 TEST(SkyLight, ADeepSunLightsNothing) {
-  const SkyState sky = sky_at("2026-12-03T00:00:00Z"); // the Sun 60 degrees below the horizon, the Moon up
+  const SkyState sky = sky_at("2026-01-03T00:00:00Z"); // the Sun 61 degrees below the horizon, the full Moon up
   const std::vector<SkyLight> lights = lights_of(sky);
   ASSERT_EQ(lights.size(), 1U);
   EXPECT_EQ(lights[0].name, "moon");
   EXPECT_NEAR(lights[0].angular_radius.to(arcmin), 15.5, 1.5);
+  // Twilight of the Sun is seen where that of the Moon is not: both stand 11 to 16 degrees below the horizon.
+  const SkyState dawn = sky_at("2026-03-21T04:45:00Z");
+  ASSERT_LT(dawn.sun.altitude.to(deg), -11.0);
+  ASSERT_LT(dawn.moon.place.altitude.to(deg), -11.0);
+  ASSERT_GT(dawn.moon.place.altitude.to(deg), -16.0);
+  const std::vector<SkyLight> twilight = lights_of(dawn);
+  ASSERT_EQ(twilight.size(), 1U);
+  EXPECT_EQ(twilight[0].name, "sun");
 }
 
 TEST(SkyLight, SunlightFallsWithTheSquareOfTheDistance) {
