@@ -142,31 +142,34 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
   };
   std::vector<Chunk> chunks((rows + rows_per_chunk - 1) / rows_per_chunk);
   ProgressBar progress("scenes", rows);
-  parallel_for(rows, rows_per_chunk, [&](std::size_t begin, std::size_t end) {
-    Chunk& chunk = chunks[begin / rows_per_chunk];
-    for (std::size_t row = begin; row < end; ++row) {
-      const Instant instant = instant_of_row(input, row, found, defaults);
-      if (!instant.note.empty() && chunk.taken_as_ut1++ == 0) {
-        chunk.first_line = input.line(row);
-      }
-      if (chunk.farthest_line == 0 || days_from_j2000(instant) > days_from_j2000(chunk.farthest)) {
-        chunk.farthest = instant;
-        chunk.farthest_line = input.line(row);
-      }
-      SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
-      sky.refraction = refraction_of(defaults, sky.observer.height);
-      for (std::size_t column = 0; column < input.header().size(); ++column) {
-        append_csv_field(chunk.csv, input.cell(row, column));
-        chunk.csv += ',';
-      }
-      for (const SceneColumn& column : columns) {
-        append_number(chunk.csv, column.value({sky, air}));
-        chunk.csv += ',';
-      }
-      chunk.csv.back() = '\n';
-    }
-    progress.advance(end - begin);
-  }, threads);
+  parallel_for(
+      rows, rows_per_chunk,
+      [&](std::size_t begin, std::size_t end) {
+        Chunk& chunk = chunks[begin / rows_per_chunk];
+        for (std::size_t row = begin; row < end; ++row) {
+          const Instant instant = instant_of_row(input, row, found, defaults);
+          if (!instant.note.empty() && chunk.taken_as_ut1++ == 0) {
+            chunk.first_line = input.line(row);
+          }
+          if (chunk.farthest_line == 0 || days_from_j2000(instant) > days_from_j2000(chunk.farthest)) {
+            chunk.farthest = instant;
+            chunk.farthest_line = input.line(row);
+          }
+          SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
+          sky.refraction = refraction_of(defaults, sky.observer.height);
+          for (std::size_t column = 0; column < input.header().size(); ++column) {
+            append_csv_field(chunk.csv, input.cell(row, column));
+            chunk.csv += ',';
+          }
+          for (const SceneColumn& column : columns) {
+            append_number(chunk.csv, column.value({sky, air}));
+            chunk.csv += ',';
+          }
+          chunk.csv.back() = '\n';
+        }
+        progress.advance(end - begin);
+      },
+      threads);
   for (const Chunk& chunk : chunks) {
     report.csv += chunk.csv;
     if (report.rows_taken_as_ut1 == 0) {

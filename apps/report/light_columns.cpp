@@ -42,15 +42,19 @@ std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure m
   return weighted;
 }
 
+// A hundredth of the darkest night. What is fainter would take long to be known as well, and nobody could tell.
+constexpr double faint_lux = 6.0e-6;
+constexpr double faint_cd_m2 = 1.7e-6;
+
 double horizontal_illuminance_lux(const ReportedScene& scene) {
   return level_light(scene.air.transport(), height_in_air(scene.sky.observer), lights_for_eyes(scene, illuminance),
-                     scene.air.budget())
+                     {scene.air.budget(), faint_lux})
       .total.mean;
 }
 
 double zenith_luminance_cd_m2(const ReportedScene& scene) {
   return sky_radiance(scene.air.transport(), height_in_air(scene.sky.observer), {0.0, 0.0, 1.0},
-                      lights_for_eyes(scene, zenith_luminance), 1, scene.air.budget())
+                      lights_for_eyes(scene, zenith_luminance), 1, {scene.air.budget(), faint_cd_m2})
       .quantities[0]
       .mean;
 }

@@ -12,6 +12,7 @@ namespace vesper {
 ///   in part) and that of the sky and the ground.
 /// - zenith_luminance_cd_m2: of the sky there, without the discs of Sun and Moon.
 ///
+/// Both within the budget's relative error of themselves, or of a hundredth of the darkest night where less light is.
 /// Random numbers are drawn after seed, instant and place: a scene has the same values alone and in any table.
 [[nodiscard]] std::span<const SceneColumn> light_columns();
 

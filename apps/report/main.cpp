@@ -160,7 +160,14 @@ void report_sky(const SceneOptions& scene, const ReportOptions& options, const s
   if (request.lights.empty()) {
     spdlog::info("neither Sun nor Moon is near enough to the horizon to light the air");
   }
-  const std::string partial = options.output.empty() ? "" : options.output + ".partial";
+  if (constexpr std::size_t many = 10000; request.points.size() >= many) {
+    spdlog::info("{} directions, each of which may take a second of a core: --size makes a smaller picture",
+                 request.points.size());
+  }
+  // Beside a pipe or a device nothing can be kept.
+  const bool keeps = !options.output.empty() &&
+                     (std::filesystem::is_regular_file(options.output) || !std::filesystem::exists(options.output));
+  const std::string partial = keeps ? options.output + ".partial" : "";
   const SkyResults results = sky_results(request, partial, crew);
   if (!crew.leads()) {
     return;
@@ -197,8 +204,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "--columns", options.columns,
          "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
          "medium and, from the reference sky in seconds a scene, horizontal_illuminance_lux and "
-         "zenith_luminance_cd_m2; default, the usual ones, "
-         "and planets stand for groups; default default")
+         "zenith_luminance_cd_m2; default, the usual ones, and planets stand for groups; default default")
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 

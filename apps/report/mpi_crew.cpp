@@ -34,7 +34,7 @@ public:
     MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
-    if (!leads()) {
+    if (rank_ != leader) {
       // What all processes have to say, the leader says. Failures while working are sent to it.
       static_cast<void>(std::freopen("/dev/null", "w", stdout));
       static_cast<void>(std::freopen("/dev/null", "w", stderr));

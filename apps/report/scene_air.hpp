@@ -10,12 +10,10 @@
 
 namespace vesper {
 
-/// The medium that a scene names.
-[[nodiscard]] Medium medium_of(const SceneOptions& scene);
-
-/// Medium and transport of a scene, each made when it is first asked for. Any thread may ask.
+/// Medium and transport of a scene; the transport is made when it is first asked for. Any thread may ask.
 class SceneAir {
 public:
+  /// \param scene  with a medium, as scene_from gives it
   /// \param budget how well light is to be known; its stream is the asker's
   explicit SceneAir(const SceneOptions& scene, const PathBudget& budget = {});
   ~SceneAir();

@@ -3,6 +3,7 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
+#include "vesper/light/response_functions.hpp"
 #include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
@@ -13,59 +14,62 @@
 namespace vesper {
 namespace {
 
-constexpr Angle deepest_light = 24.0 * deg; // below the horizon
-
 Angle angular_radius(Length radius, Length distance) { return std::asin(radius / distance) * rad; }
 
+/// Whether a light could give the zenith 1e-4 of the darkest night's 1.7e-4 cd/m2. Below the horizon its lux above the
+/// air times 10^(-2.5 - 0.45 d), d degrees deep, is what it gives in cd/m2, within a factor of 3 from 0 to 18 degrees
+/// (fitted to the reference transport in clear air).
 bool lights_the_air(const SkyLight& light, Length height) {
   constexpr Length ground = 6371.0 * kilometre; // the dip is needed within a degree
   const Angle dip = std::acos(ground / (ground + height)) * rad;
-  return latitude_of(light.direction) + dip > -deepest_light;
+  const double depth_deg = std::max(0.0, -(latitude_of(light.direction) + dip).to(deg));
+  return integrate_xyzs(light.irradiance).y * std::pow(10.0, -2.5 - 0.45 * depth_deg) > 1.7e-8;
 }
 
-/// The error that a light may have, so that the errors of all add up to `relative_error` of the sum at the least cost:
+/// The relative error that a light may have, so that the errors of all add up to that of the sum at the least cost:
 /// squares of errors in proportion to what the lights give.
-double allowed_error(const TransportResult& light, const std::vector<double>& sums, double relative_error) {
+double allowed_error(const TransportResult& light, const std::vector<double>& sums, const LightBudget& budget) {
   // Of a light that gives nothing no digit is needed.
   double factor = 1.0e6;
   for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (light.functionals[i].mean > 0.0) {
-      factor = std::min(factor, std::sqrt(sums[i] / light.functionals[i].mean));
+    if (const double mean = light.functionals[i].mean; mean > 0.0) {
+      factor = std::min(factor, std::max(sums[i], budget.faint) / std::sqrt(mean * sums[i]));
     }
   }
-  return relative_error * std::max(factor, 1.0);
+  return budget.paths.relative_error * std::max(factor, 1.0);
 }
 
 using LightTransport =
     std::function<TransportResult(const SkyLight&, const std::vector<SpectralFunctional>&, const PathBudget&)>;
 
-SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t quantities, const PathBudget& budget,
+SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t quantities, const LightBudget& budget,
                           const LightTransport& transport) {
+  const PathBudget& all = budget.paths;
   const auto result_of = [&](const WeightedLight& weighted, double relative_error, std::uint64_t most_paths) {
-    PathBudget own = budget;
+    PathBudget own = all;
     own.stream = weighted.stream;
     own.relative_error = relative_error;
     own.most_paths = most_paths;
     return transport(weighted.light, weighted.functionals, own);
   };
-  std::vector<double> relative_errors(lights.size(), budget.relative_error);
-  if (lights.size() > 1) {
+  std::vector<double> relative_errors(lights.size(), all.relative_error);
+  if (lights.size() > 1 || budget.faint > 0.0) {
     // A first look at each light tells how much of the sum is its own.
     std::vector<TransportResult> first;
     std::vector<double> sums(quantities);
     for (const WeightedLight& light : lights) {
-      first.push_back(result_of(light, budget.relative_error, std::min(budget.least_paths, budget.most_paths)));
+      first.push_back(result_of(light, all.relative_error, std::min(all.least_paths, all.most_paths)));
       for (std::size_t i = 0; i < quantities; ++i) {
         sums[i] += first.back().functionals[i].mean;
       }
     }
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      relative_errors[i] = allowed_error(first[i], sums, budget.relative_error);
+      relative_errors[i] = allowed_error(first[i], sums, budget);
     }
   }
   SkyEstimate sum{std::vector<Estimate>(quantities), 0};
   for (std::size_t light = 0; light < lights.size(); ++light) {
-    const TransportResult result = result_of(lights[light], relative_errors[light], budget.most_paths);
+    const TransportResult result = result_of(lights[light], relative_errors[light], all.most_paths);
     for (std::size_t i = 0; i < quantities; ++i) {
       sum.quantities[i].mean += result.functionals[i].mean;
       sum.quantities[i].standard_error =
@@ -98,10 +102,9 @@ std::vector<SkyLight> lights_of(const SkyState& sky) {
   const BodyPlace& moon = sky.moon.place;
   const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
   const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{
-      sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
-      moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
-                 glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  std::vector<SkyLight> lights{sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
+                               moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
+                                          glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;
@@ -110,7 +113,7 @@ std::vector<SkyLight> lights_of(const SkyState& sky) {
 Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }
 
 SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, const Vec3& view_direction,
-                         const std::vector<WeightedLight>& lights, std::size_t quantities, const PathBudget& budget) {
+                         const std::vector<WeightedLight>& lights, std::size_t quantities, const LightBudget& budget) {
   return sum_of_lights(
       lights, quantities, budget,
       [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals, const PathBudget& own) {
@@ -119,7 +122,7 @@ SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, con
 }
 
 LevelLight level_light(const ReferenceTransport& transport, Length height, const std::vector<WeightedLight>& lights,
-                       const PathBudget& budget) {
+                       const LightBudget& budget) {
   const auto query_of = [&](const SkyLight& light) {
     return SkyQuery{height, light.direction, light.angular_radius, {0.0, 0.0, 1.0}};
   };

@@ -12,8 +12,8 @@ namespace vesper {
 
 /// A light so far away that it looks the same from all of the air.
 struct SkyLight {
-  std::string name;    ///< "sun" or "moon"
-  Vec3 direction;      ///< towards its centre, as seen: horizon frame
+  std::string name; ///< "sun" or "moon"
+  Vec3 direction;   ///< towards its centre, as seen: horizon frame
   Angle angular_radius;
   Spectrum irradiance; ///< above the air, W/(m2 nm)
 };
@@ -23,8 +23,8 @@ struct SkyLight {
 [[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
 
 /// Sun and Moon of a scene where refraction shows them, because the transport's rays are straight. Left out is what
-/// stands more than 24 degrees below the observer's horizon: it gives the zenith less than 1e-4 of the darkest night.
-/// Eclipses do not dim them.
+/// stands so deep that it gives the zenith less than 1e-4 of the darkest night: the Sun some 23 degrees below the
+/// observer's horizon, the full Moon 11. Eclipses do not dim them.
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.
@@ -43,12 +43,19 @@ struct SkyEstimate {
   std::uint64_t paths = 0;
 };
 
-/// Radiance of the sky, summed over the lights so that the sum is as well known as the budget asks; of faint lights
-/// less is then known. The budget's greatest number of paths holds for each light; its stream does not count.
+/// How well the light of several is to be known together. The greatest number of paths holds for each light; the
+/// stream does not count.
+struct LightBudget {
+  PathBudget paths;
+  double faint = 0.0; ///< sums below it need no smaller error than a sum that is as bright; in the functionals' unit
+};
+
+/// Radiance of the sky, summed over the lights so that the sum is as well known as the budget asks; of lights that are
+/// faint beside others less is then known.
 /// \param quantities number of each light's functionals
 [[nodiscard]] SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, const Vec3& view_direction,
                                        const std::vector<WeightedLight>& lights, std::size_t quantities,
-                                       const PathBudget& budget);
+                                       const LightBudget& budget);
 
 /// Light on a level surface, in the units of the lights' first functional.
 struct LevelLight {
@@ -57,6 +64,6 @@ struct LevelLight {
   std::uint64_t paths = 0;
 };
 [[nodiscard]] LevelLight level_light(const ReferenceTransport& transport, Length height,
-                                     const std::vector<WeightedLight>& lights, const PathBudget& budget);
+                                     const std::vector<WeightedLight>& lights, const LightBudget& budget);
 
 } // namespace vesper

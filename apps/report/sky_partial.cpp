@@ -51,8 +51,9 @@ PartialResults::PartialResults(std::filesystem::path path, const std::string& re
     if (text.starts_with(first_line)) {
       sound = first_line.size();
     } else if (!first_line.starts_with(text)) {
-      throw Error(ErrorKind::input, "holds the results of another request, perhaps of another instant",
-                  {path_.string(), "line 1", "Repeat that request to finish it, or delete the file, or choose another output"});
+      throw Error(
+          ErrorKind::input, "holds the results of another request, perhaps of another instant",
+          {path_.string(), "line 1", "Repeat that request to finish it, or delete the file, or choose another output"});
     }
     for (std::size_t end = 0; sound > 0 && (end = text.find('\n', sound)) != std::string::npos; sound = end + 1) {
       auto parsed = parse_line(std::string_view(text).substr(sound, end - sound), units, values);

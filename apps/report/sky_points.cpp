@@ -22,7 +22,7 @@ std::vector<SkyPoint> points_of_table(const CsvTable& table) {
   const auto sun_azimuth = table.find_column("sun_azimuth_deg");
   const auto place_of = [&](std::size_t row, std::size_t altitude_column, std::optional<std::size_t> azimuth_column) {
     return SeenPlace{table.number(row, altitude_column, -90.0, 90.0),
-                        azimuth_column ? table.number(row, *azimuth_column, -360.0, 360.0) : 180.0};
+                     azimuth_column ? table.number(row, *azimuth_column, -360.0, 360.0) : 180.0};
   };
   if (table.row_count() == 0) {
     throw Error(ErrorKind::input, "the table has no rows", {table.file(), "", "Give a row a direction"});

@@ -23,7 +23,7 @@ struct SeenPlace {
 struct SkyPoint {
   SeenPlace place;
   std::optional<SeenPlace> sun; ///< where the Sun then stands, if this point has a Sun of its own
-  std::array<int, 2> pixel{};      ///< column and row, for a picture
+  std::array<int, 2> pixel{};   ///< column and row, for a picture
 };
 
 /// The zenith alone.

@@ -23,7 +23,7 @@ public:
   SkyWork(const SkyRequest& request, unsigned threads) : request_(request), threads_(threads) {}
 
   [[nodiscard]] std::vector<double> operator()(std::size_t index, unsigned threads) {
-    std::call_once(made_, [this] { transport_.emplace(request_.medium, request_.wavelengths_nm, threads_); });
+    std::call_once(made_, [this] { transport_.emplace(*request_.medium, request_.wavelengths_nm, threads_); });
     const auto start = std::chrono::steady_clock::now();
     const SkyPoint& point = request_.points[index];
     std::vector<WeightedLight> lights = request_.lights;
@@ -34,10 +34,10 @@ public:
         weighted.light.direction = point.sun->direction();
       }
     }
-    PathBudget budget = request_.budget;
-    budget.threads = threads;
-    SkyEstimate estimate = sky_radiance(*transport_, request_.height, point.place.direction(), lights,
-                                        request_.quantities.size(), budget);
+    LightBudget budget{request_.budget};
+    budget.paths.threads = threads;
+    SkyEstimate estimate =
+        sky_radiance(*transport_, request_.height, point.place.direction(), lights, request_.quantities.size(), budget);
     std::vector<double> values;
     for (const Estimate& quantity : estimate.quantities) {
       values.insert(values.end(), {quantity.mean, quantity.standard_error});
@@ -160,6 +160,7 @@ std::string sky_report_csv(const SkyRequest& request, const SkyResults& results)
 
 std::string sky_report_json(const SkyRequest& request, const SkyResults& results) {
   nlohmann::ordered_json json;
+  json["medium"] = request.medium_name;
   json["height_m"] = request.height.to(metre);
   json["relative_error"] = request.budget.relative_error;
   json["seed"] = request.budget.seed;
@@ -184,7 +185,7 @@ std::string sky_report_json(const SkyRequest& request, const SkyResults& results
     for (std::size_t k = 0; k < names.size(); ++k) {
       const double value = results[i].at(k);
       row[names[k]] = names[k] == "paths" ? nlohmann::ordered_json(static_cast<std::uint64_t>(value))
-                                       : nlohmann::ordered_json(value);
+                                          : nlohmann::ordered_json(value);
     }
     json["directions"].push_back(std::move(row));
   }
@@ -198,8 +199,8 @@ std::vector<float> sky_picture(const SkyRequest& request, const SkyResults& resu
   constexpr std::array<std::size_t, 4> places{2, 0, 4, 6};
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto [column, row] = request.points[i].pixel;
-    const std::size_t pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
-                              static_cast<std::size_t>(column);
+    const std::size_t pixel =
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column);
     for (std::size_t channel = 0; channel < places.size(); ++channel) {
       xyzs[4 * pixel + channel] = static_cast<float>(results[i].at(places.at(channel)));
     }
@@ -213,8 +214,8 @@ ImageMetadata describe_picture(const SkyRequest& request) {
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
-      {"vesper:sky", fmt::format("reference, relative error {}, seed {}, height {} m", request.budget.relative_error,
-                                 request.budget.seed, request.height.to(metre))},
+      {"vesper:sky", fmt::format("reference, medium {}, relative error {}, seed {}, height {} m", request.medium_name,
+                                 request.budget.relative_error, request.budget.seed, request.height.to(metre))},
       {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
   for (const WeightedLight& weighted : request.lights) {
     metadata.emplace_back("vesper:" + weighted.light.name,

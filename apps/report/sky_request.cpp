@@ -1,7 +1,5 @@
 #include "report/sky_request.hpp"
 
-#include "report/scene_air.hpp"
-
 #include "common/option_text.hpp"
 
 #include "vesper/astro/constants.hpp"
@@ -49,8 +47,7 @@ std::vector<SkyLight> lights_set_by_hand(const SkyOptions& options, bool sun_in_
   }
   if (sun_in_table || !options.sun_altitude.empty()) {
     // In a table every row turns it to its own place.
-    const SeenPlace place =
-        place_of("sun", sun_in_table ? "0" : options.sun_altitude, options.sun_azimuth);
+    const SeenPlace place = place_of("sun", sun_in_table ? "0" : options.sun_altitude, options.sun_azimuth);
     lights.push_back(sun_light(place.direction(), astronomical_unit));
   }
   if (!options.moon_altitude.empty()) {
@@ -89,9 +86,8 @@ std::vector<SkyLight> chosen_lights(const SkyOptions& options, const SceneOption
       refuse_option("--light", choice, fmt::format("lights with a place; give --{}-altitude too", name));
     }
   }
-  std::erase_if(lights, [&](const SkyLight& light) {
-    return !choice.empty() && choice != "both" && choice != light.name;
-  });
+  std::erase_if(lights,
+                [&](const SkyLight& light) { return !choice.empty() && choice != "both" && choice != light.name; });
   return lights;
 }
 
@@ -105,9 +101,9 @@ std::vector<double> requested_wavelengths(const SkyOptions& options, const Mediu
   for (const std::string_view item : list_items(options.wavelengths)) {
     const auto value = number_within(item, lowest, highest);
     if (!value || std::find(wavelengths.begin(), wavelengths.end(), *value) != wavelengths.end()) {
-      refuse_option("--wavelengths", options.wavelengths,
-                    fmt::format("a comma-separated list of {} to {} nm, where the medium is known, each once", lowest,
-                                highest));
+      refuse_option(
+          "--wavelengths", options.wavelengths,
+          fmt::format("a comma-separated list of {} to {} nm, where the medium is known, each once", lowest, highest));
     }
     wavelengths.push_back(*value);
   }
@@ -120,7 +116,7 @@ void ask_for_quantities(const SkyOptions& options, const std::vector<double>& ra
   std::vector<double>& wavelengths = request.wavelengths_nm;
   wavelengths = radiances;
   if (!options.unit_irradiance) {
-    wavelengths.insert(wavelengths.end(), request.medium.wavelengths_nm.begin(), request.medium.wavelengths_nm.end());
+    wavelengths.insert(wavelengths.end(), request.medium->wavelengths_nm.begin(), request.medium->wavelengths_nm.end());
     request.quantities = {{"luminance", "cd_m2"}, {"x", "cd_m2"}, {"z", "cd_m2"}, {"s", "cd_m2"}};
   }
   std::sort(wavelengths.begin(), wavelengths.end());
@@ -168,8 +164,7 @@ std::string description(const Medium& medium, const std::vector<double>& wavelen
     }
     for (const double wavelength : wavelengths) {
       append_all(text, std::array{component.scattering_per_km(wavelength), component.absorption_per_km(wavelength),
-                                  component.phase.parameter(wavelength),
-                                  static_cast<double>(component.phase.kind)});
+                                  component.phase.parameter(wavelength), static_cast<double>(component.phase.kind)});
     }
   }
   return text;
@@ -221,7 +216,8 @@ CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
       "sky",
       "Luminance and radiance of the sky under Sun and Moon, with standard errors (1 sigma), as CSV, JSON or an EXR "
       "picture. Their discs are not in it. Rays are straight: the lights stand where refraction shows them, directions "
-      "are those seen. Eclipses do not dim the lights. With -o FILE, finished directions are kept in FILE.partial until "
+      "are those seen. Eclipses do not dim the lights. With -o FILE, finished directions are kept in FILE.partial "
+      "until "
       "FILE is complete: the same request goes on from there");
   sky->add_flag("--reference", options.reference,
                 "By the reference, a spectral Monte Carlo of all orders; must be given, there is no other yet");
@@ -257,12 +253,15 @@ CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
                 "Illuminance of a level surface too: horizontal_illuminance_lux with its error, and "
                 "direct_illuminance_lux, the part of it that comes from Sun and Moon themselves");
   sky->add_flag("--timings", options.timings, "A column of seconds too; no two runs then write the same");
+  sky->footer("Scene options, --relative-error, --most-paths, --orders, --threads, --seed, -o and --json: see "
+              "vesper-report --help");
   return sky;
 }
 
 std::optional<CsvTable> directions_table(const SkyOptions& options) {
-  return options.directions.empty() ? std::nullopt
-                                    : std::optional<CsvTable>(std::in_place, read_file(options.directions), options.directions);
+  return options.directions.empty()
+             ? std::nullopt
+             : std::optional<CsvTable>(std::in_place, read_file(options.directions), options.directions);
 }
 
 bool lights_by_hand(const SkyOptions& options, const std::optional<CsvTable>& directions) {
@@ -289,11 +288,12 @@ SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, c
   SkyRequest request;
   request.illuminance = options.illuminance;
   request.budget = path_budget(budget, scene);
-  request.medium = medium_of(scene);
+  request.medium_name = scene.medium_name;
+  request.medium = scene.medium;
   request.timings = options.timings;
   const bool height_matters = scene.height_given || !lights_by_hand(options, directions);
   request.height = height_matters ? height_in_air(scene.observer) : 0.0 * metre;
-  const std::vector<double> radiances = requested_wavelengths(options, request.medium);
+  const std::vector<double> radiances = requested_wavelengths(options, *request.medium);
   const std::vector<SkyLight> lights = chosen_lights(options, scene, directions);
   if (options.unit_irradiance && lights.size() != 1) {
     throw Error(ErrorKind::argument,
@@ -311,7 +311,7 @@ SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, c
 }
 
 std::string fingerprint(const SkyRequest& request) {
-  std::string text = "vesper " VESPER_VERSION "\n" + description(request.medium, request.wavelengths_nm);
+  std::string text = "vesper " VESPER_VERSION "\n" + description(*request.medium, request.wavelengths_nm);
   append_all(text, request.wavelengths_nm);
   append_all(text, std::array{request.height.to(metre), request.budget.relative_error, request.timings ? 1.0 : 0.0,
                               request.illuminance ? 1.0 : 0.0});

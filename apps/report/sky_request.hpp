@@ -8,6 +8,7 @@
 
 #include "vesper/atmosphere/medium.hpp"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +56,8 @@ struct SkyQuantity {
 };
 
 struct SkyRequest {
-  Medium medium;
+  std::string medium_name;
+  std::shared_ptr<const Medium> medium;
   std::vector<double> wavelengths_nm; ///< of the transport
   Length height;                      ///< above the medium's ground
   std::vector<WeightedLight> lights;  ///< the Sun first, if it is one of them

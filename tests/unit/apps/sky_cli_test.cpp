@@ -95,9 +95,10 @@ TEST_F(UnfinishedSky, KilledHalfWayGoesOnToTheSameBytes) {
   const CommandResult whole = run(std::string(request) + "--threads 1");
   ASSERT_EQ(whole.status, 0) << whole.err;
   // A first process is killed as soon as it has finished some directions.
-  const std::string kill = "'" VESPER_BIN "/vesper-report' sky --reference " + std::string(request) +
-                           "-o sky.csv & pid=$!; until [ \"$(wc -l 2>/dev/null <sky.csv.partial)\" -ge 5 ] || "
-                           "! kill -0 $pid; do sleep 0.02; done; kill -9 $pid; wait $pid; cp sky.csv.partial killed; ! [ -e sky.csv ]";
+  const std::string kill =
+      "'" VESPER_BIN "/vesper-report' sky --reference " + std::string(request) +
+      "-o sky.csv & pid=$!; until [ \"$(wc -l 2>/dev/null <sky.csv.partial)\" -ge 5 ] || "
+      "! kill -0 $pid; do sleep 0.02; done; kill -9 $pid; wait $pid; cp sky.csv.partial killed; ! [ -e sky.csv ]";
   const CommandResult resumed = run(std::string(request) + "-o sky.csv --threads 2", "{ " + kill + "; } 2>/dev/null");
   EXPECT_EQ(resumed.status, 0) << resumed.err;
   EXPECT_GT(text(path("killed")).size(), 100U);
@@ -105,9 +106,10 @@ TEST_F(UnfinishedSky, KilledHalfWayGoesOnToTheSameBytes) {
   EXPECT_FALSE(std::filesystem::exists(path("sky.csv.partial")));
 #ifdef VESPER_MPIRUN
   // As root, on this host alone, however few cores it has.
-  const std::string mpirun = "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_plm=isolated "
-                             "OMPI_MCA_btl_vader_single_copy_mechanism=none ASAN_OPTIONS=detect_leaks=0; '" VESPER_MPIRUN
-                             "' --oversubscribe -n 2 '" VESPER_BIN "/vesper-report-mpi' sky --reference ";
+  const std::string mpirun =
+      "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_plm=isolated "
+      "OMPI_MCA_btl_vader_single_copy_mechanism=none ASAN_OPTIONS=detect_leaks=0; '" VESPER_MPIRUN
+      "' --oversubscribe -n 2 '" VESPER_BIN "/vesper-report-mpi' sky --reference ";
   const CommandResult together = run("--version", mpirun + request + "-o shared.csv");
   EXPECT_EQ(together.status, 0) << together.err;
   EXPECT_EQ(text(path("shared.csv")), whole.out);
@@ -162,9 +164,7 @@ TEST_F(SkyCli, BadOptionsExitWithTwoAndWriteNothing) {
   expect_failure(1, "--directions where.csv -o no/such/folder/sky.csv", {"no/such/folder"});
 }
 
-TEST_F(LightColumns, TheSkyAsksForItsModel) {
-  expect_failure(2, "sky --zenith", {"--reference"});
-}
+TEST_F(LightColumns, TheSkyAsksForItsModel) { expect_failure(2, "sky --zenith", {"--reference"}); }
 
 TEST_F(LightColumns, AreInTheRangeOfMeasuredLight) {
   const std::string place = " --latitude 51.4769 --longitude 0 --height 47 --relative-error 0.05 ";

@@ -8,6 +8,7 @@
 #include "support/folder_test.hpp"
 
 #include "vesper/astro/spherical.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/light/response_functions.hpp"
 
@@ -95,11 +96,19 @@ TEST(SkyLight, LightsStandWhereRefractionShowsThem) {
 }
 
 TEST(SkyLight, ADeepSunLightsNothing) {
-  const SkyState sky = sky_at("2026-12-03T00:00:00Z"); // the Sun 60 degrees below the horizon, the Moon up
+  const SkyState sky = sky_at("2026-01-03T00:00:00Z"); // the Sun 61 degrees below the horizon, the full Moon up
   const std::vector<SkyLight> lights = lights_of(sky);
   ASSERT_EQ(lights.size(), 1U);
   EXPECT_EQ(lights[0].name, "moon");
   EXPECT_NEAR(lights[0].angular_radius.to(arcmin), 15.5, 1.5);
+  // Twilight of the Sun is seen where that of the Moon is not: both stand 11 to 16 degrees below the horizon.
+  const SkyState dawn = sky_at("2026-03-21T04:45:00Z");
+  ASSERT_LT(dawn.sun.altitude.to(deg), -11.0);
+  ASSERT_LT(dawn.moon.place.altitude.to(deg), -11.0);
+  ASSERT_GT(dawn.moon.place.altitude.to(deg), -16.0);
+  const std::vector<SkyLight> twilight = lights_of(dawn);
+  ASSERT_EQ(twilight.size(), 1U);
+  EXPECT_EQ(twilight[0].name, "sun");
 }
 
 TEST(SkyLight, SunlightFallsWithTheSquareOfTheDistance) {
@@ -178,7 +187,7 @@ TEST(SkyRequest, TheFingerprintIsThatOfTheAnswer) {
   const auto digest = [](const SkyOptions& sky, const BudgetOptions& budget, const SceneOptions& scene) {
     return fingerprint(sky_request(sky, budget, scene, std::nullopt, false));
   };
-  const SceneOptions scene;
+  const SceneOptions scene = scene_from({});
   const std::string first = digest(options, {}, scene);
   BudgetOptions threads;
   threads.threads = "7";
@@ -193,6 +202,9 @@ TEST(SkyRequest, TheFingerprintIsThatOfTheAnswer) {
   SceneOptions seeded = scene;
   seeded.seed = 1;
   EXPECT_NE(digest(options, {}, seeded), first);
+  SceneOptions thicker = scene;
+  thicker.medium = std::make_shared<const Medium>(clear_medium({.aerosol_optical_depth = 0.11}));
+  EXPECT_NE(digest(options, {}, thicker), first);
   SkyOptions lower = options;
   lower.sun_altitude = "9";
   EXPECT_NE(digest(lower, {}, scene), first);
