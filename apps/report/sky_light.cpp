@@ -98,12 +98,11 @@ SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Ang
 }
 
 std::vector<SkyLight> lights_of(const SkyState& sky) {
-  const Refraction refraction = with_table(sky.refraction);
   const BodyPlace& moon = sky.moon.place;
   const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
   const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{sun_light(apparent_direction(sky.sun.direction_horizon, refraction), sky.sun.distance),
-                               moon_light(apparent_direction(moon.direction_horizon, refraction), moon.distance,
+  std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
+                               moon_light(moon.direction_horizon, moon.distance,
                                           glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });

@@ -65,9 +65,7 @@ std::vector<SkyLight> chosen_lights(const SkyOptions& options, const SceneOption
   if (by_hand) {
     lights = lights_set_by_hand(options, directions && table_has_sun(*directions));
   } else {
-    SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
-    sky.refraction = refraction_of(scene);
-    lights = lights_of(sky);
+    lights = lights_of(sky_state(scene.instant, scene.observer, scene.tier));
   }
   if (!options.sun_radius.empty()) {
     const Angle radius = number_of("--sun-radius", options.sun_radius, 0.0, 1.0, " degrees") * deg;
@@ -215,10 +213,9 @@ CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
   CLI::App* sky = app.add_subcommand(
       "sky",
       "Luminance and radiance of the sky under Sun and Moon, with standard errors (1 sigma), as CSV, JSON or an EXR "
-      "picture. Their discs are not in it. Rays are straight: the lights stand where refraction shows them, directions "
-      "are those seen. Eclipses do not dim the lights. With -o FILE, finished directions are kept in FILE.partial "
-      "until "
-      "FILE is complete: the same request goes on from there");
+      "picture. Their discs are not in it. Rays are straight and the lights stand at their airless places. Eclipses do "
+      "not dim them. With -o FILE, finished directions are kept in FILE.partial until FILE is complete: the same "
+      "request goes on from there");
   sky->add_flag("--reference", options.reference,
                 "By the reference, a spectral Monte Carlo of all orders; must be given, there is no other yet");
   sky->add_flag("--zenith", options.zenith, "Look to the zenith; the default");
