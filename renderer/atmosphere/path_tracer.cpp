@@ -15,8 +15,9 @@ using std::numbers::pi;
 /// Share of directions that are drawn after the phase function, whatever the guide says.
 constexpr double phase_share = 0.25;
 
-/// A unit vector at an angle from another.
-Vec3 around(const Vec3& axis, double cos_angle, double azimuth_rad) {
+/// A unit vector at an angle from another, toward any side.
+Vec3 around(const Vec3& axis, double cos_angle, RandomStream& random) {
+  const double azimuth_rad = 2.0 * pi * random();
   const Vec3 aside = std::abs(axis.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0);
   const Vec3 x = glm::normalize(glm::cross(aside, axis));
   const Vec3 y = glm::cross(axis, x);
@@ -48,7 +49,8 @@ double proposed_cos_angle(PhaseKind kind, double parameter, double u) {
     return std::clamp((linear + k) / (1.0 + k * linear), -1.0, 1.0);
   }
   const double g = parameter;
-  if (std::abs(g) < 1.0e-4) {
+  constexpr double even = 1.0e-6; // below it the quotient loses more digits than the lobe has
+  if (std::abs(g) < even) {
     return linear;
   }
   const double ratio = (1.0 - g * g) / (1.0 + g * linear);
@@ -122,8 +124,7 @@ Vec3 PathTracer::toward_light(RandomStream& random) const {
   if (light_cos_radius_ >= 1.0) {
     return query_.light_direction;
   }
-  const double cos_angle = 1.0 - random() * (1.0 - light_cos_radius_);
-  return around(query_.light_direction, cos_angle, 2.0 * pi * random());
+  return around(query_.light_direction, 1.0 - random() * (1.0 - light_cos_radius_), random);
 }
 
 void PathTracer::add_light(const Vertex& vertex, RandomStream& random, std::span<double> result) {
@@ -188,7 +189,7 @@ bool PathTracer::survives(const Vertex& vertex, std::size_t k, RandomStream& ran
 Vec3 PathTracer::any_direction(const Vertex& vertex, const LocalFrame& frame, std::size_t k,
                                RandomStream& random) const {
   if (vertex.on_ground) {
-    return around(frame.z, std::sqrt(random()), 2.0 * pi * random());
+    return around(frame.z, std::sqrt(random()), random);
   }
   const auto scattering = [&](std::size_t c) { return vertex.density[c] * optics_.mean_scattering_per_km(c); };
   double sum = 0.0;
@@ -207,8 +208,7 @@ Vec3 PathTracer::any_direction(const Vertex& vertex, const LocalFrame& frame, st
     }
   }
   const double parameter = optics_.phase_parameter(chosen, guide_.wavelengths()[k]);
-  const double cos_angle = proposed_cos_angle(optics_.phase_kind(chosen), parameter, random());
-  return around(vertex.direction, cos_angle, 2.0 * pi * random());
+  return around(vertex.direction, proposed_cos_angle(optics_.phase_kind(chosen), parameter, random()), random);
 }
 
 bool PathTracer::next_direction(const Vertex& vertex, std::size_t k, RandomStream& random, Vec3& direction) {
@@ -216,7 +216,7 @@ bool PathTracer::next_direction(const Vertex& vertex, std::size_t k, RandomStrea
   const LocalFrame frame = frame_at(vertex.place_km, vertex.radius_km);
   const std::size_t cell = guide_.cell(vertex.radius_km, frame.cos_light_zenith);
   if (random() < (guide_.lit(cell, k) ? 1.0 - phase_share : 0.0)) {
-    const TransportGuide::Direction local = guide_.sample(cell, k, random(), random(), random());
+    const TransportGuide::Direction local = guide_.sample(cell, k, random);
     const double sin_zenith = std::sqrt(std::max(0.0, (1.0 - local.cos_zenith) * (1.0 + local.cos_zenith)));
     direction = local.cos_zenith * frame.z +
                 sin_zenith * (std::cos(local.azimuth_rad) * frame.x + std::sin(local.azimuth_rad) * frame.y);

@@ -99,20 +99,20 @@ bool TransportGuide::lit(std::size_t cell, std::size_t k) const {
   return cumulative_[(cell * wavelengths_.size() + k + 1) * bins - 1] > 0.0F;
 }
 
-TransportGuide::Direction TransportGuide::sample(std::size_t cell, std::size_t k, double u, double v, double w) const {
+TransportGuide::Direction TransportGuide::sample(std::size_t cell, std::size_t k, RandomStream& random) const {
   const float* begin = &cumulative_[(cell * wavelengths_.size() + k) * bins];
   const auto bin = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
-      std::upper_bound(begin, begin + bins, u,
+      std::upper_bound(begin, begin + bins, random(),
                        [](double value, float sum) { return value < static_cast<double>(sum); }) -
           begin,
       bins - 1));
   const std::size_t zenith = bin / azimuth_bins;
   const std::array<double, zenith_bins + 1>& edges = zenith_edges_[cell / angles];
-  // One number tells the side of the light's vertical plane and the place in the bin.
-  const double side = w < 0.5 ? 1.0 : -1.0;
-  const double within = w < 0.5 ? 2.0 * w : 2.0 * w - 1.0;
-  return {edges[zenith] + v * (edges[zenith + 1] - edges[zenith]),
-          side * pi * (static_cast<double>(bin % azimuth_bins) + within) / azimuth_bins};
+  const double cos_zenith = edges[zenith] + random() * (edges[zenith + 1] - edges[zenith]);
+  // On either side of the light's vertical plane.
+  const double across = 2.0 * random() - 1.0;
+  const double azimuth_rad = pi * (static_cast<double>(bin % azimuth_bins) + std::abs(across)) / azimuth_bins;
+  return {cos_zenith, std::copysign(azimuth_rad, across)};
 }
 
 std::size_t TransportGuide::zenith_bin(std::size_t height, double cos_zenith) const {

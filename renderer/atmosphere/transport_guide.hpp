@@ -1,6 +1,7 @@
 // A coarse solution of the light transport, made to tell random paths where the light is.
 #pragma once
 
+#include "vesper/atmosphere/random_stream.hpp"
 #include "vesper/atmosphere/spectral_air.hpp"
 #include "vesper/base/vector.hpp"
 
@@ -46,8 +47,7 @@ public:
   [[nodiscard]] std::size_t cell(double radius_km, double cos_light_zenith) const;
   /// \return whether any light arrives in this cell at the guide's wavelength k; without it there is nothing to sample
   [[nodiscard]] bool lit(std::size_t cell, std::size_t k) const;
-  /// \param u, v, w uniform in [0, 1)
-  [[nodiscard]] Direction sample(std::size_t cell, std::size_t k, double u, double v, double w) const;
+  [[nodiscard]] Direction sample(std::size_t cell, std::size_t k, RandomStream& random) const;
   /// Density of `sample`, 1/sr; 0 in unlit cells.
   [[nodiscard]] Values density(std::size_t cell, Direction direction) const;
 
