@@ -46,10 +46,12 @@ void GuidedRay::lay(const Vec3& origin_km, const Vec3& direction) {
     // Thick air is cut finer, because a cell's places are drawn evenly.
     constexpr double deepest = 0.5;
     const double depth = (to - from) * optics_.most_extinction_per_km(air_.density(ray_.radius_km(0.5 * (from + to))));
-    const double pieces = std::clamp(std::ceil(depth / deepest), 1.0, 64.0);
-    for (double i = 0.0; i < pieces && seen_through; i += 1.0) {
-      const double begin = from + (to - from) * (i / pieces);
-      add_cell(begin, i + 1.0 < pieces ? from + (to - from) * ((i + 1.0) / pieces) : to, passed);
+    const auto pieces = static_cast<int>(std::clamp(std::ceil(depth / deepest), 1.0, 64.0));
+    double begin = from;
+    for (int i = 1; i <= pieces && seen_through; ++i) {
+      const double end = i < pieces ? from + (to - from) * (static_cast<double>(i) / pieces) : to;
+      add_cell(begin, end, passed);
+      begin = end;
       seen_through = !optics_.opaque(passed.columns_km);
     }
     return seen_through;

@@ -60,8 +60,8 @@ Estimate estimate(double first, double second, std::uint64_t paths) {
 } // namespace
 
 struct ReferenceTransport::Parts {
-  Parts(const Medium& the_medium, std::vector<double> wavelengths_nm, unsigned threads)
-      : medium(the_medium), air(medium), optics(medium, std::move(wavelengths_nm)),
+  Parts(Medium the_medium, std::vector<double> wavelengths_nm, unsigned threads)
+      : medium(std::move(the_medium)), air(medium), optics(medium, std::move(wavelengths_nm)),
         guide(air, optics, guide_wavelengths(optics.wavelengths_nm()), threads) {}
 
   [[nodiscard]] Sums batch(const SkyQuery& query, PathTracer::Quantity quantity,

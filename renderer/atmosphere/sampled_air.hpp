@@ -135,10 +135,10 @@ template <class Visit> void SampledAir::for_each_cell(const AirRay& ray, double 
       continue;
     }
     const double length = to - from;
-    const double pieces = std::ceil(length / longest_km);
-    for (double i = 0.0; i < pieces; i += 1.0) {
-      const double a = from + length * (i / pieces);
-      const double b = i + 1.0 < pieces ? from + length * ((i + 1.0) / pieces) : to;
+    const auto pieces = static_cast<int>(std::ceil(length / longest_km));
+    for (int i = 0; i < pieces; ++i) {
+      const double a = from + length * (static_cast<double>(i) / pieces);
+      const double b = i + 1 < pieces ? from + length * (static_cast<double>(i + 1) / pieces) : to;
       if (!visit(a, b)) {
         return;
       }

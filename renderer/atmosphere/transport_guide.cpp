@@ -117,7 +117,7 @@ TransportGuide::Direction TransportGuide::sample(std::size_t cell, std::size_t k
 
 std::size_t TransportGuide::zenith_bin(std::size_t height, double cos_zenith) const {
   const std::array<double, zenith_bins + 1>& edges = zenith_edges_[height];
-  const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, cos_zenith);
+  const auto* const above = std::upper_bound(edges.begin() + 1, edges.end() - 1, cos_zenith);
   return static_cast<std::size_t>(above - edges.begin()) - 1;
 }
 
