@@ -24,15 +24,17 @@ std::vector<double> boundaries_km(const Medium& medium, double lowest_km, double
     const std::vector<double>& breaks = component.profile.breaks_km();
     heights.insert(heights.end(), breaks.begin(), breaks.end());
   }
-  for (double height = lowest_km; height < top_km; height += std::min(0.01 + 0.04 * std::max(height, 0.0), 1.0)) {
+  for (double height = lowest_km; height < top_km; height += std::min(0.01 + 0.04 * std::abs(height), 1.0)) {
     heights.push_back(height);
   }
   heights.push_back(0.0);
   heights.push_back(top_km);
   std::sort(heights.begin(), heights.end());
-  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   heights.erase(std::upper_bound(heights.begin(), heights.end(), top_km), heights.end());
   heights.erase(heights.begin(), std::lower_bound(heights.begin(), heights.end(), lowest_km));
+  // Shells thinner than a micrometre would be rounding.
+  const auto one = [](double low, double high) { return high - low < 1.0e-9; };
+  heights.erase(std::unique(heights.begin(), heights.end(), one), heights.end());
   return heights;
 }
 
@@ -68,11 +70,11 @@ RefractedColumns::RefractedColumns(const Medium& medium, Length height,
 
   const std::vector<double> heights = boundaries_km(medium, lowest_km, std::min(observer_km, top_km), top_km);
   for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
-    if (heights[i] < observer_km) {
+    const double middle = 0.5 * (heights[i] + heights[i + 1]);
+    if (middle < observer_km) {
       first_above_ = i + 1;
     }
     // Gauss's two points: never on a boundary, where densities may jump.
-    const double middle = 0.5 * (heights[i] + heights[i + 1]);
     const double offset = 0.5 * (heights[i + 1] - heights[i]) / std::numbers::sqrt3;
     const Optics low = optics(middle - offset);
     const Optics high = optics(middle + offset);

@@ -12,13 +12,13 @@ namespace vesper {
 
 /// The air as shells, for the sums along many rays of one observer.
 ///
-/// Snell's law in a spherical atmosphere keeps n r sin(zenith angle) = c along a ray. With q^2 = (n r)^2 - c^2, which is
-/// the distance from the perigee where n = 1, the element of path is dq / (n + r dn/dr): regular at the horizon and at
-/// the lowest point of a ray that first descends. Within a shell a component's density over (n + r dn/dr) is taken to be
-/// linear in (n r)^2, so that its integral over q is exact. The light of 450 nm comes out within 0.01 % of adaptive
-/// quadrature along straight rays, from the ground to space; columns of clear air within 0.03 % of rays followed step by
-/// step through the air that bends them. The air mass of molecules at the apparent horizon is 38.2; unbent rays give
-/// 35.2 there, 1 % less than bent ones at 5 degrees and 0.4 % at 10.
+/// Snell's law in a spherical atmosphere keeps n r sin(zenith angle) = c along a ray. With q^2 = (n r)^2 - c^2, which
+/// is the distance from the perigee where n = 1, the element of path is dq / (n + r dn/dr): regular at the horizon and
+/// at the lowest point of a ray that first descends. Within a shell a component's density over (n + r dn/dr) is taken
+/// to be linear in (n r)^2, so that its integral over q is exact. The light of 450 nm comes out within 0.01 % of
+/// adaptive quadrature along straight rays, from the ground to space; columns of clear air within 0.03 % of rays
+/// followed step by step through the air that bends them. The air mass of molecules at the apparent horizon is 38.2;
+/// unbent rays give 35.2 there, 1 % less than bent ones at 5 degrees and 0.4 % at 10.
 class RefractedColumns {
 public:
   /// Straight rays without conditions. The observer may stand anywhere; below the ground (of the medium) the air is as
@@ -40,7 +40,7 @@ public:
 
 private:
   struct Shell {
-    double low_square;  ///< (n r)^2 at its lower and upper boundary
+    double low_square; ///< (n r)^2 at its lower and upper boundary
     double high_square;
     double middle_square;
   };
@@ -56,7 +56,7 @@ private:
   double sin_horizon_ = 0.0;
   double observer_n_r_ = 0.0;
   std::size_t components_ = 0;
-  std::size_t first_above_ = 0; ///< the shell whose lower boundary is the observer's height, or their number
+  std::size_t first_above_ = 0; ///< the shell whose lower boundary is the observer, or their number
   std::vector<Shell> shells_;
   std::vector<Density> densities_; ///< of each component, shell by shell
 };

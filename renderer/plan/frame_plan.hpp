@@ -58,7 +58,7 @@ struct FramePlan {
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
   std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
-  Refraction refraction;      ///< with its table
+  Refraction refraction;                               ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 

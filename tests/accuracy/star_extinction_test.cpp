@@ -106,8 +106,8 @@ double followed_column_km(const AirProfile& air, const HeightProfile& profile, d
     const double height = radius - ground_km;
     const AirProfile::Air local = air.at(height);
     const double n = 1.0 + local.refractivity;
-    return RayState{at[2] / n, at[3] / n, local.gradient_per_km * at[0] / radius, local.gradient_per_km * at[1] / radius,
-                    profile.at(std::max(height, 0.0))};
+    return RayState{at[2] / n, at[3] / n, local.gradient_per_km * at[0] / radius,
+                    local.gradient_per_km * at[1] / radius, profile.at(std::max(height, 0.0))};
   };
   const auto moved = [](const RayState& at, const RayState& by, double step) {
     RayState to{};

@@ -248,9 +248,7 @@ TEST_F(Frames, TheTableOfExtinctionIsMadeAgainForAnotherSceneOnly) {
   FrameOptions options;
   options.air.medium = std::make_shared<const Medium>(clear_medium());
   const FramePlan first = plan_frame(sky, View(), {}, options);
-  const auto made_again = [&] {
-    return plan_frame(sky, View(), {}, options, &first).extinction != first.extinction;
-  };
+  const auto made_again = [&] { return plan_frame(sky, View(), {}, options, &first).extinction != first.extinction; };
   ASSERT_NE(first.extinction, nullptr);
   EXPECT_FALSE(made_again());
   sky.observer.height = 100.0 * metre;

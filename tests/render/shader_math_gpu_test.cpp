@@ -389,10 +389,11 @@ TEST_F(ShaderMathGpu, ExtinctionOfStarsAgreesWithItsTwin) {
     const std::vector<f32::vec4> texels(exact.texels.begin(), exact.texels.end());
     const f32::sampler2D table{texels.data(), frame.columns, frame.rows};
     const std::vector<glm::vec4> results = evaluate_on_gpu(
-        fmt::format("star_extinction(v.x, vec4(1.0, 1.0, v.y, 1.0), StarExtinctionFrame({}, {}, {:.9e}, {:.9e}, {:.9e}, "
-                    "{:.9e}, {:.9e}), extinction_table)",
-                    frame.rows, frame.columns, frame.sin_horizon, frame.width, frame.rows_per_x, frame.reddest,
-                    frame.columns_per_hue),
+        fmt::format(
+            "star_extinction(v.x, vec4(1.0, 1.0, v.y, 1.0), StarExtinctionFrame({}, {}, {:.9e}, {:.9e}, {:.9e}, "
+            "{:.9e}, {:.9e}), extinction_table)",
+            frame.rows, frame.columns, frame.sin_horizon, frame.width, frame.rows_per_x, frame.reddest,
+            frame.columns_per_hue),
         inputs, {}, plan);
     float worst = 0.0F;
     double from_doubles = 0.0;
