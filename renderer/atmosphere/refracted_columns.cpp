@@ -24,8 +24,10 @@ std::vector<double> boundaries_km(const Medium& medium, double lowest_km, double
     const std::vector<double>& breaks = component.profile.breaks_km();
     heights.insert(heights.end(), breaks.begin(), breaks.end());
   }
-  for (double height = lowest_km; height < top_km; height += std::min(0.01 + 0.04 * std::abs(height), 1.0)) {
+  double height = lowest_km;
+  while (height < top_km) {
     heights.push_back(height);
+    height += std::min(0.01 + 0.04 * std::abs(height), 1.0);
   }
   heights.push_back(0.0);
   heights.push_back(top_km);

@@ -16,12 +16,9 @@ constexpr std::size_t rows = 224;
 constexpr std::size_t colors = 32;
 constexpr std::size_t responses = 4;
 
-/// Wavelengths of the sums over the spectrum.
-constexpr int step_nm = 1;
-constexpr auto wavelengths = static_cast<std::size_t>((response_last_nm - response_first_nm) / step_nm + 1);
-double wavelength_nm(std::size_t i) {
-  return response_first_nm + static_cast<double>(step_nm) * static_cast<double>(i);
-}
+/// Every nanometre, as integrate_xyzs takes it.
+constexpr std::size_t wavelengths = std::size_t{response_last_nm - response_first_nm} + 1;
+double wavelength_nm(std::size_t i) { return response_first_nm + static_cast<double>(i); }
 
 /// Less light than that is none; its logarithm is a number that floats can hold and interpolate.
 constexpr double least_share = 1.0e-300;

@@ -24,10 +24,13 @@ void ExtinctionTexture::update(const FramePlan& plan) {
   }
   static const StarExtinction none = no_extinction();
   planned_ = plan.extinction;
-  const StarExtinction& table = planned_ != nullptr ? planned_->table : none;
-  frame_ = table.frame;
+  const StarExtinction* table = &none;
+  if (planned_ != nullptr) {
+    table = &planned_->table;
+  }
+  frame_ = table->frame;
   std::vector<float> rgba;
-  for (const Vec4& texel : table.texels) {
+  for (const Vec4& texel : table->texels) {
     for (int channel = 0; channel < 4; ++channel) {
       rgba.push_back(static_cast<float>(texel[channel]));
     }
