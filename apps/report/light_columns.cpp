@@ -2,6 +2,7 @@
 
 #include "report/sky_light.hpp"
 
+#include "vesper/atmosphere/random_stream.hpp"
 #include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
@@ -14,19 +15,12 @@ namespace {
 
 enum Measure : std::uint64_t { illuminance, zenith_luminance };
 
-/// Spreads the bits of a number over all others (the finalizer of Steele et al. 2014, "SplitMix").
-std::uint64_t mixed(std::uint64_t bits) {
-  bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9U;
-  bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111ebU;
-  return bits ^ (bits >> 31U);
-}
-
 /// A stream of random numbers of this scene's own.
 std::uint64_t stream_of(const SkyState& sky, Measure measure, std::size_t light) {
   std::uint64_t stream = 2 * measure + light;
   for (const double part : {sky.instant.tt.value(), sky.observer.latitude.to(deg), sky.observer.longitude.to(deg),
                             sky.observer.height.to(metre)}) {
-    stream = mixed(stream ^ std::bit_cast<std::uint64_t>(part));
+    stream = RandomStream::mix(stream ^ std::bit_cast<std::uint64_t>(part));
   }
   return stream;
 }

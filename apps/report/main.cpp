@@ -8,6 +8,7 @@
 #include "report/sky_report.hpp"
 #include "report/star_report.hpp"
 
+#include "common/option_text.hpp"
 #include "common/program.hpp"
 #include "common/scene_options.hpp"
 
@@ -23,6 +24,7 @@
 #include <cctype>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace vesper {
@@ -143,16 +145,20 @@ void report_events(const SceneOptions& scene, const ReportOptions& options) {
   deliver(options.json ? event_report_json(scene, request) : event_report_csv(scene, request), options.output);
 }
 
-bool names_exr(const std::string& path) {
+bool has_extension(const std::string& path, std::string_view wanted) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".exr";
+  return extension == wanted;
 }
 
 void report_sky(const SceneOptions& scene, const ReportOptions& options, const std::optional<CsvTable>& directions,
                 Crew& crew) {
-  const bool exr = names_exr(options.output);
+  // vesper-render writes PNG: who asks for one here wants a picture, not a table under its name.
+  if (has_extension(options.output, ".png")) {
+    refuse_option("--output", options.output, "NAME.exr for a picture, any other name for a table");
+  }
+  const bool exr = has_extension(options.output, ".exr");
   if (exr && options.json) {
     throw Error(ErrorKind::argument, "--json: not with a picture; give an output that does not end in .exr");
   }

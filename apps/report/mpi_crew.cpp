@@ -30,8 +30,7 @@ enum Tag : int { request, result, failure, answer };
 class MpiCrew : public Crew {
 public:
   MpiCrew(int& argc, char**& argv) {
-    int provided = 0;
-    MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &thread_level_);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &size_);
     if (rank_ != leader) {
@@ -57,6 +56,10 @@ public:
 
   void work(const std::vector<std::size_t>& units, unsigned threads, const Work& work, const Done& done) override {
     begun_ = true;
+    if (size_ > 1 && thread_level_ < MPI_THREAD_SERIALIZED) {
+      throw Error(ErrorKind::file, "this MPI lets no threads speak",
+                  {"", "", "Start one process, or install an MPI with MPI_THREAD_SERIALIZED"});
+    }
     if (const int unready = first_unready(true); unready < size_) {
       if (!leads()) {
         return;
@@ -206,6 +209,7 @@ private:
         Error(kind, fmt::format("process {}: {}", status.MPI_SOURCE, std::string(text.begin() + 1, text.end()))));
   }
 
+  int thread_level_ = MPI_THREAD_SINGLE;
   int rank_ = 0;
   int size_ = 1;
   bool begun_ = false;

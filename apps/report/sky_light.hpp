@@ -23,9 +23,9 @@ struct SkyLight {
 [[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
 
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
-/// do, because what falls on the air above it is the same. Left out is what
-/// stands so deep that it gives the zenith less than 1e-4 of the darkest night: the Sun some 23 degrees below the
-/// observer's horizon, the full Moon 11. Eclipses do not dim them.
+/// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
+/// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.
+/// Eclipses do not dim them.
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.

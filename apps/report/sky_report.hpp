@@ -10,8 +10,8 @@
 
 namespace vesper {
 
-/// What is known of each of a request's points, in their order: mean and standard error of each quantity, the number of
-/// paths, and with timings the seconds.
+/// What is known of each of a request's points, in their order: mean and standard error of each quantity; if asked for,
+/// illuminance, its standard error and its direct part; the number of paths, and with timings the seconds.
 using SkyResults = std::vector<std::vector<double>>;
 
 /// Does the work that `partial` does not hold yet, and keeps there what is finished; random numbers belong to the
@@ -20,7 +20,8 @@ using SkyResults = std::vector<std::vector<double>>;
 [[nodiscard]] SkyResults sky_results(const SkyRequest& request, const std::string& partial, Crew& crew);
 
 /// A row a point: for a picture `pixel_x, pixel_y`, then `altitude_deg, azimuth_deg`, for a Sun by row
-/// `sun_altitude_deg, sun_azimuth_deg`, each quantity with its error, `paths` and with timings `seconds`.
+/// `sun_altitude_deg, sun_azimuth_deg`, each quantity with its error, the illuminances if asked for, `paths` and with
+/// timings `seconds`.
 [[nodiscard]] std::string sky_report_csv(const SkyRequest& request, const SkyResults& results);
 /// The same with medium, height, lights and accuracy asked for.
 [[nodiscard]] std::string sky_report_json(const SkyRequest& request, const SkyResults& results);

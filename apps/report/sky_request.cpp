@@ -5,6 +5,7 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/sha256.hpp"
+#include "vesper/light/moonlight.hpp"
 #include "vesper/light/spectral_weights.hpp"
 
 #include <fmt/format.h>
@@ -14,8 +15,6 @@
 
 namespace vesper {
 namespace {
-
-constexpr Length mean_moon_distance = 384400.0 * kilometre;
 
 /// The number that an option gives. Throws Error(argument).
 double number_of(std::string_view option, const std::string& text, double lowest, double highest,
@@ -53,7 +52,7 @@ std::vector<SkyLight> lights_set_by_hand(const SkyOptions& options, bool sun_in_
   if (!options.moon_altitude.empty()) {
     const SeenPlace place = place_of("moon", options.moon_altitude, options.moon_azimuth);
     const double phase_angle = number_of("--moon-phase-angle", options.moon_phase_angle, 0.0, 180.0, " degrees");
-    lights.push_back(moon_light(place.direction(), mean_moon_distance, astronomical_unit, phase_angle * deg));
+    lights.push_back(moon_light(place.direction(), moon_mean_distance, astronomical_unit, phase_angle * deg));
   }
   return lights;
 }

@@ -38,9 +38,8 @@ struct ClearAir {
 ///   sulphuric acid that absorb nothing; g and Angstrom exponent of the troposphere (OPAC's droplets: 0.72 and 0.95).
 /// - Ozone: absorption at 233 K (Gorshelev, Serdyuchenko et al. 2014), the mid-latitude profile and column of the US
 ///   Standard Atmosphere 1976.
-/// - Ground: grey, about as bright to the eye as green plants (0.08 at 450, 0.13 at 550, 0.07 at 650, 0.5 beyond 750
-/// nm:
-///   the code 6S, Vermote et al. 1997, IEEE Trans. Geosci. Remote Sens. 35, 675).
+/// - Ground: grey, about as bright to the eye as green plants (0.08 at 450, 0.13 at 550, 0.07 at 650, 0.5 beyond
+///   750 nm: the code 6S, Vermote et al. 1997, IEEE Trans. Geosci. Remote Sens. 35, 675).
 ///
 /// Throws Error(argument) for a value out of its range.
 [[nodiscard]] Medium clear_medium(const ClearAir& air = {});

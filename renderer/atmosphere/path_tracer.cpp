@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace vesper {
 namespace {
@@ -13,13 +14,10 @@ using std::numbers::pi;
 
 /// Share of directions that are drawn after the phase function, whatever the guide says.
 constexpr double phase_share = 0.25;
-/// Share of places that are drawn as if light were everywhere alike.
-constexpr double plain_share = 0.1;
-/// Beyond this optical depth (1e-26) nothing is followed: no sky shows it.
-constexpr double opaque = 60.0;
 
-/// A unit vector at an angle from another.
-Vec3 around(const Vec3& axis, double cos_angle, double azimuth_rad) {
+/// A unit vector at an angle from another, toward any side.
+Vec3 around(const Vec3& axis, double cos_angle, RandomStream& random) {
+  const double azimuth_rad = 2.0 * pi * random();
   const Vec3 aside = std::abs(axis.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0);
   const Vec3 x = glm::normalize(glm::cross(aside, axis));
   const Vec3 y = glm::cross(axis, x);
@@ -51,7 +49,8 @@ double proposed_cos_angle(PhaseKind kind, double parameter, double u) {
     return std::clamp((linear + k) / (1.0 + k * linear), -1.0, 1.0);
   }
   const double g = parameter;
-  if (std::abs(g) < 1.0e-4) {
+  constexpr double even = 1.0e-6; // below it the quotient loses more digits than the lobe has
+  if (std::abs(g) < even) {
     return linear;
   }
   const double ratio = (1.0 - g * g) / (1.0 + g * linear);
@@ -64,15 +63,10 @@ PathTracer::PathTracer(const SampledAir& air, const SpectralAir& optics, const T
                        const SkyQuery& query, int orders)
     : air_(air), optics_(optics), guide_(guide), query_(query), orders_(orders),
       light_cos_radius_(std::cos(query.light_angular_radius.to(rad))),
-      observer_km_(0.0, 0.0, air.ground_km() + query.height.to(kilometre)), throughput_(optics.size()),
+      observer_km_(0.0, 0.0, air.ground_km() + query.height.to(kilometre)),
+      first_(air, optics, guide, query.light_direction), ray_(first_), throughput_(optics.size()),
       scattered_(optics.size()) {
-  for (std::size_t c = 0; c < air.component_count(); ++c) {
-    for (std::size_t k = 0; k < guide.wavelengths().size(); ++k) {
-      scattering_per_km_[c][k] = optics.scattering_per_km(c, guide.wavelengths()[k]);
-      extinction_per_km_[c][k] = optics.extinction_per_km(c, guide.wavelengths()[k]);
-    }
-  }
-  march(observer_km_, query.view_direction, first_);
+  first_.lay(observer_km_, query.view_direction);
 }
 
 PathTracer::LocalFrame PathTracer::frame_at(const Vec3& place_km, double radius_km) const {
@@ -88,84 +82,6 @@ PathTracer::LocalFrame PathTracer::frame_at(const Vec3& place_km, double radius_
   return frame;
 }
 
-void PathTracer::march(const Vec3& origin_km, const Vec3& direction, March& result) const {
-  const double radius = glm::length(origin_km);
-  result.cells.clear();
-  result.guided_sum = {};
-  result.plain_sum = {};
-  result.origin_km = origin_km;
-  result.direction = direction;
-  result.ray = air_.ray(radius, std::clamp(glm::dot(origin_km, direction) / radius, -1.0, 1.0));
-  const AirRay& ray = result.ray;
-
-  const std::vector<std::size_t>& wavelengths = guide_.wavelengths();
-  const double cos_angle = glm::dot(direction, query_.light_direction);
-  const double light_at_origin = glm::dot(origin_km, query_.light_direction);
-  std::array<Values, SampledAir::most_components> phase{};
-  for (std::size_t c = 0; c < air_.component_count(); ++c) {
-    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-      phase[c][k] = optics_.phase(c, wavelengths[k], cos_angle);
-    }
-  }
-  const auto cos_light_zenith = [&](double place_km) {
-    return (light_at_origin + (place_km - ray.origin_km) * cos_angle) / ray.radius_km(place_km);
-  };
-  SampledAir::PerComponent columns{};
-  Values passed_depth{};
-  const auto add_cell = [&](double from, double to) {
-    const double middle = 0.5 * (from + to);
-    const double at = ray.radius_km(middle);
-    const SampledAir::PerComponent density = air_.density(at);
-    const TransportGuide::Light light = guide_.light(at, cos_light_zenith(middle));
-    Values depth_after{};
-    Values guided{};
-    double plain = 0.0;
-    Cell cell{from, to, columns, {}, {}};
-    air_.add_columns(ray, from, to, columns);
-    for (std::size_t c = 0; c < air_.component_count(); ++c) {
-      for (std::size_t k = 0; k < TransportGuide::most_wavelengths; ++k) {
-        depth_after[k] += extinction_per_km_[c][k] * columns[c];
-        guided[k] += density[c] * scattering_per_km_[c][k] * (phase[c][k] * light.beam[k] + light.scattered[k]);
-      }
-      plain += density[c] * optics_.mean_scattering_per_km(c);
-    }
-    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-      const double passed = (to - from) * std::exp(-0.5 * (passed_depth[k] + depth_after[k]));
-      cell.guided[k] = passed * guided[k];
-      cell.plain[k] = passed * plain;
-      result.guided_sum[k] += cell.guided[k];
-      result.plain_sum[k] += cell.plain[k];
-    }
-    passed_depth = depth_after;
-    result.cells.push_back(cell);
-    return optics_.least_optical_depth(columns) < opaque;
-  };
-  bool seen_through = true;
-  air_.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
-    // Thick air is cut finer, because a cell's places are drawn evenly.
-    constexpr double deepest = 0.5;
-    const double depth = (to - from) * optics_.most_extinction_per_km(air_.density(ray.radius_km(0.5 * (from + to))));
-    const double pieces = std::clamp(std::ceil(depth / deepest), 1.0, 64.0);
-    for (double i = 0.0; i < pieces && seen_through; i += 1.0) {
-      const double begin = from + (to - from) * (i / pieces);
-      seen_through = add_cell(begin, i + 1.0 < pieces ? from + (to - from) * ((i + 1.0) / pieces) : to);
-    }
-    return seen_through;
-  });
-  if (ray.meets_ground && seen_through) {
-    Cell ground{ray.end_km, ray.end_km, columns, {}, {}};
-    const Values irradiance = guide_.ground_irradiance(cos_light_zenith(ray.end_km));
-    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-      const double passed = std::exp(-passed_depth[k]);
-      ground.guided[k] = passed * optics_.albedo(wavelengths[k]) * irradiance[k] / pi;
-      ground.plain[k] = passed * optics_.mean_albedo();
-      result.guided_sum[k] += ground.guided[k];
-      result.plain_sum[k] += ground.plain[k];
-    }
-    result.cells.push_back(ground);
-  }
-}
-
 /// Takes the density of what was drawn into the path's.
 void PathTracer::drawn(const Values& density, std::size_t k) {
   const double own = density[k];
@@ -177,56 +93,17 @@ void PathTracer::drawn(const Values& density, std::size_t k) {
   }
 }
 
-bool PathTracer::next_place(const March& march, std::size_t k, RandomStream& random, Vertex& vertex) {
-  if (!(march.plain_sum[k] > 0.0)) {
+bool PathTracer::next_place(const GuidedRay& ray, std::size_t k, RandomStream& random, Vertex& vertex) {
+  const std::optional<GuidedRay::Place> place = ray.draw(k, random());
+  if (!place) {
     return false;
   }
-  const auto share = [&](const Cell& cell, std::size_t i) {
-    const double plain = march.plain_sum[i] > 0.0 ? cell.plain[i] / march.plain_sum[i] : 0.0;
-    return march.guided_sum[i] > 0.0 ? plain_share * plain + (1.0 - plain_share) * cell.guided[i] / march.guided_sum[i]
-                                     : plain;
-  };
-  double left = random();
-  const Cell* chosen = nullptr;
-  double chosen_share = 0.0;
-  for (const Cell& cell : march.cells) {
-    const double own = share(cell, k);
-    if (own > 0.0) {
-      chosen = &cell;
-      chosen_share = own;
-      if (left < own) {
-        break;
-      }
-      left -= own;
-    }
-  }
-  if (chosen == nullptr) {
-    return false;
-  }
-  SampledAir::PerComponent columns = chosen->columns_km;
-  double place = chosen->from_km;
-  const double length = chosen->to_km - chosen->from_km;
-  vertex.on_ground = !(length > 0.0);
-  if (!vertex.on_ground) {
-    place += length * std::clamp(left / chosen_share, 0.0, 1.0);
-    air_.add_columns(march.ray, chosen->from_km, place, columns);
-  }
-  vertex.direction = march.direction;
-  vertex.place_km = march.origin_km + (place - march.ray.origin_km) * march.direction;
-  vertex.radius_km = glm::length(vertex.place_km);
-  if (vertex.on_ground || vertex.radius_km < air_.ground_km()) {
-    vertex.place_km *= air_.ground_km() / vertex.radius_km;
-    vertex.radius_km = air_.ground_km();
-  }
+  vertex = {place->place_km, place->radius_km, ray.direction(), place->on_ground, {}};
   if (!vertex.on_ground) {
     vertex.density = air_.density(vertex.radius_km);
   }
-  optics_.attenuate(columns, throughput_);
-  Values density{};
-  for (std::size_t i = 0; i < guide_.wavelengths().size(); ++i) {
-    density[i] = share(*chosen, i) / (vertex.on_ground ? 1.0 : length);
-  }
-  drawn(density, k);
+  optics_.attenuate(place->columns_km, throughput_);
+  drawn(place->density, k);
   return true;
 }
 
@@ -247,8 +124,7 @@ Vec3 PathTracer::toward_light(RandomStream& random) const {
   if (light_cos_radius_ >= 1.0) {
     return query_.light_direction;
   }
-  const double cos_angle = 1.0 - random() * (1.0 - light_cos_radius_);
-  return around(query_.light_direction, cos_angle, 2.0 * pi * random());
+  return around(query_.light_direction, 1.0 - random() * (1.0 - light_cos_radius_), random);
 }
 
 void PathTracer::add_light(const Vertex& vertex, RandomStream& random, std::span<double> result) {
@@ -259,7 +135,7 @@ void PathTracer::add_light(const Vertex& vertex, RandomStream& random, std::span
     return;
   }
   const SampledAir::PerComponent columns =
-      air_.columns_to_space(ray, [&](const auto& so_far) { return optics_.least_optical_depth(so_far) > opaque; });
+      air_.columns_to_space(ray, [&](const auto& so_far) { return optics_.opaque(so_far); });
   scatter(vertex, light, scattered_);
   optics_.attenuate(columns, scattered_);
   double likelihood = 0.0;
@@ -313,7 +189,7 @@ bool PathTracer::survives(const Vertex& vertex, std::size_t k, RandomStream& ran
 Vec3 PathTracer::any_direction(const Vertex& vertex, const LocalFrame& frame, std::size_t k,
                                RandomStream& random) const {
   if (vertex.on_ground) {
-    return around(frame.z, std::sqrt(random()), 2.0 * pi * random());
+    return around(frame.z, std::sqrt(random()), random);
   }
   const auto scattering = [&](std::size_t c) { return vertex.density[c] * optics_.mean_scattering_per_km(c); };
   double sum = 0.0;
@@ -332,8 +208,7 @@ Vec3 PathTracer::any_direction(const Vertex& vertex, const LocalFrame& frame, st
     }
   }
   const double parameter = optics_.phase_parameter(chosen, guide_.wavelengths()[k]);
-  const double cos_angle = proposed_cos_angle(optics_.phase_kind(chosen), parameter, random());
-  return around(vertex.direction, cos_angle, 2.0 * pi * random());
+  return around(vertex.direction, proposed_cos_angle(optics_.phase_kind(chosen), parameter, random()), random);
 }
 
 bool PathTracer::next_direction(const Vertex& vertex, std::size_t k, RandomStream& random, Vec3& direction) {
@@ -341,7 +216,7 @@ bool PathTracer::next_direction(const Vertex& vertex, std::size_t k, RandomStrea
   const LocalFrame frame = frame_at(vertex.place_km, vertex.radius_km);
   const std::size_t cell = guide_.cell(vertex.radius_km, frame.cos_light_zenith);
   if (random() < (guide_.lit(cell, k) ? 1.0 - phase_share : 0.0)) {
-    const TransportGuide::Direction local = guide_.sample(cell, k, random(), random(), random());
+    const TransportGuide::Direction local = guide_.sample(cell, k, random);
     const double sin_zenith = std::sqrt(std::max(0.0, (1.0 - local.cos_zenith) * (1.0 + local.cos_zenith)));
     direction = local.cos_zenith * frame.z +
                 sin_zenith * (std::cos(local.azimuth_rad) * frame.x + std::sin(local.azimuth_rad) * frame.y);
@@ -387,7 +262,7 @@ void PathTracer::trace(Quantity quantity, std::size_t k, RandomStream& random, s
   std::fill_n(likelihood_.begin(), guide_.wavelengths().size(), 1.0);
   Vertex vertex{};
   Vec3 direction = query_.view_direction;
-  const March* ray = &first_;
+  const GuidedRay* ray = &first_;
   if (quantity == Quantity::irradiance) {
     const Vertex surface{observer_km_, glm::length(observer_km_), {}, true, {}};
     if (!next_direction(surface, k, random, direction)) {
@@ -396,8 +271,8 @@ void PathTracer::trace(Quantity quantity, std::size_t k, RandomStream& random, s
     for (double& value : throughput_) {
       value *= direction.z;
     }
-    march(observer_km_, direction, march_);
-    ray = &march_;
+    ray_.lay(observer_km_, direction);
+    ray = &ray_;
   }
   for (int order = 1; next_place(*ray, k, random, vertex); ++order) {
     add_light(vertex, random, result);
@@ -408,8 +283,8 @@ void PathTracer::trace(Quantity quantity, std::size_t k, RandomStream& random, s
     for (std::size_t i = 0; i < throughput_.size(); ++i) {
       throughput_[i] *= scattered_[i];
     }
-    march(vertex.place_km, direction, march_);
-    ray = &march_;
+    ray_.lay(vertex.place_km, direction);
+    ray = &ray_;
   }
 }
 

@@ -1,12 +1,10 @@
 // One random path of light, followed backward from the observer at all wavelengths at once.
 #pragma once
 
+#include "vesper/atmosphere/guided_ray.hpp"
 #include "vesper/atmosphere/random_stream.hpp"
 #include "vesper/atmosphere/sky_query.hpp"
-#include "vesper/atmosphere/spectral_air.hpp"
-#include "vesper/atmosphere/transport_guide.hpp"
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -33,22 +31,6 @@ public:
 private:
   using Values = TransportGuide::Values;
 
-  struct Cell {
-    double from_km;
-    double to_km;
-    SampledAir::PerComponent columns_km; ///< from the ray's begin to from_km
-    Values guided;                       ///< weight after the guide's light
-    Values plain;                        ///< weight as if light were everywhere alike
-  };
-  /// A ray with the weights of its cells; the ground, where it ends the ray, is the last of them.
-  struct March {
-    AirRay ray;
-    Vec3 origin_km;
-    Vec3 direction;
-    std::vector<Cell> cells;
-    Values guided_sum;
-    Values plain_sum;
-  };
   struct Vertex {
     Vec3 place_km;
     double radius_km;
@@ -62,8 +44,7 @@ private:
     double cos_light_zenith;
   };
 
-  void march(const Vec3& origin_km, const Vec3& direction, March& result) const;
-  [[nodiscard]] bool next_place(const March& march, std::size_t k, RandomStream& random, Vertex& vertex);
+  [[nodiscard]] bool next_place(const GuidedRay& ray, std::size_t k, RandomStream& random, Vertex& vertex);
   [[nodiscard]] bool next_direction(const Vertex& vertex, std::size_t k, RandomStream& random, Vec3& direction);
   [[nodiscard]] Vec3 any_direction(const Vertex& vertex, const LocalFrame& frame, std::size_t k,
                                    RandomStream& random) const;
@@ -81,11 +62,8 @@ private:
   int orders_;
   double light_cos_radius_;
   Vec3 observer_km_;
-  // Of the guide's wavelengths, by component.
-  std::array<Values, SampledAir::most_components> scattering_per_km_{};
-  std::array<Values, SampledAir::most_components> extinction_per_km_{};
-  March first_; ///< of a radiance: the same for all its paths
-  March march_;
+  GuidedRay first_; ///< of a radiance: the same for all its paths
+  GuidedRay ray_;
   std::vector<double> throughput_; ///< over the density of the path for the wavelength it is drawn for
   Values likelihood_{};            ///< density of the path for each of the guide's wavelengths, over the same
   std::vector<double> scattered_;  ///< scratch

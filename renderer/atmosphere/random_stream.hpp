@@ -19,13 +19,15 @@ public:
     return static_cast<double>(mix(state_) >> 11U) * 0x1.0p-53;
   }
 
-private:
-  static constexpr std::uint64_t step = 0x9e3779b97f4a7c15U;
+  /// Spreads the bits of a number over all others.
   static constexpr std::uint64_t mix(std::uint64_t z) {
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
     z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31U);
   }
+
+private:
+  static constexpr std::uint64_t step = 0x9e3779b97f4a7c15U;
   std::uint64_t state_;
 };
 

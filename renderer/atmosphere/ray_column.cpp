@@ -6,10 +6,6 @@
 
 namespace vesper {
 
-double crossing_km(double perigee_km, double radius_km) {
-  return radius_km > perigee_km ? std::sqrt((radius_km - perigee_km) * (radius_km + perigee_km)) : 0.0;
-}
-
 void append_cuts(std::vector<double>& cuts, const HeightProfile& profile, const RaySpan& span, double ground_km) {
   const auto append = [&](double cut) {
     if (cut > span.begin_km && cut < span.end_km) {

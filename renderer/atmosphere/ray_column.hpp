@@ -4,6 +4,7 @@
 #include "vesper/atmosphere/height_profile.hpp"
 #include "vesper/atmosphere/quadrature.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace vesper {
@@ -17,7 +18,9 @@ struct RaySpan {
 };
 
 /// Distance from the perigee at which a line crosses a sphere; 0 where it passes above.
-[[nodiscard]] double crossing_km(double perigee_km, double radius_km);
+[[nodiscard]] inline double crossing_km(double perigee_km, double radius_km) {
+  return radius_km > perigee_km ? std::sqrt((radius_km - perigee_km) * (radius_km + perigee_km)) : 0.0;
+}
 
 /// Adds the places on the span at which the profile's pieces meet.
 void append_cuts(std::vector<double>& cuts, const HeightProfile& profile, const RaySpan& span, double ground_km);

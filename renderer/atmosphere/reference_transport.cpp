@@ -39,23 +39,7 @@ std::vector<std::size_t> guide_wavelengths(const std::vector<double>& wavelength
   return chosen;
 }
 
-void validate(const SkyQuery& query, const PathBudget& budget) {
-  const double height_km = query.height.to(kilometre);
-  if (!(height_km >= 0.0) || !std::isfinite(height_km)) {
-    throw Error(ErrorKind::argument, "an observer at a height of " + std::to_string(height_km) + " km",
-                {"", "", "Give 0 or more"});
-  }
-  constexpr double tolerance = 1.0e-9;
-  for (const Vec3& direction : {query.light_direction, query.view_direction}) {
-    if (!(std::abs(glm::length(direction) - 1.0) <= tolerance)) {
-      throw Error(ErrorKind::argument, "a direction that is no unit vector", {"", "", "Give vectors of length 1"});
-    }
-  }
-  if (!(query.light_angular_radius.to(deg) >= 0.0 && query.light_angular_radius.to(deg) <= 1.0)) {
-    throw Error(ErrorKind::argument,
-                "a light of " + std::to_string(query.light_angular_radius.to(deg)) + " degrees radius",
-                {"", "", "Give 0 to 1 degree"});
-  }
+void validate(const PathBudget& budget) {
   if (!(budget.relative_error > 0.0) || budget.most_paths == 0 || budget.orders < 1) {
     throw Error(ErrorKind::argument, "a budget of no paths, no orders or no error",
                 {"", "", "Give a positive error and at least one path and order"});
@@ -76,8 +60,8 @@ Estimate estimate(double first, double second, std::uint64_t paths) {
 } // namespace
 
 struct ReferenceTransport::Parts {
-  Parts(const Medium& the_medium, std::vector<double> wavelengths_nm, unsigned threads)
-      : medium(the_medium), air(medium), optics(medium, std::move(wavelengths_nm)),
+  Parts(Medium the_medium, std::vector<double> wavelengths_nm, unsigned threads)
+      : medium(std::move(the_medium)), air(medium), optics(medium, std::move(wavelengths_nm)),
         guide(air, optics, guide_wavelengths(optics.wavelengths_nm()), threads) {}
 
   [[nodiscard]] Sums batch(const SkyQuery& query, PathTracer::Quantity quantity,
@@ -125,7 +109,8 @@ Sums ReferenceTransport::Parts::batch(const SkyQuery& query, PathTracer::Quantit
 TransportResult ReferenceTransport::Parts::solve(const SkyQuery& query, PathTracer::Quantity quantity,
                                                  const std::vector<SpectralFunctional>& functionals,
                                                  const PathBudget& budget) const {
-  validate(query, budget);
+  validate(query);
+  validate(budget);
   for (const SpectralFunctional& functional : functionals) {
     if (functional.size() != optics.size()) {
       throw Error(ErrorKind::argument,
@@ -138,7 +123,11 @@ TransportResult ReferenceTransport::Parts::solve(const SkyQuery& query, PathTrac
   const std::size_t watched = functionals.empty() ? 0 : optics.size();
   Sums total{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0)};
   std::uint64_t paths = 0;
-  std::uint64_t wanted = std::min(std::max<std::uint64_t>(budget.least_paths, 2), budget.most_paths);
+  // As many paths for each of the guide's wavelengths, as their weights expect.
+  const auto evenly = [each = guide.wavelengths().size()](std::uint64_t some) {
+    return (some + each - 1) / each * each;
+  };
+  std::uint64_t wanted = std::min(evenly(std::max<std::uint64_t>(budget.least_paths, 2)), budget.most_paths);
   while (paths < wanted) {
     const std::uint64_t batches = (wanted - paths + batch_paths - 1) / batch_paths;
     std::vector<Sums> parts(batches);
@@ -175,7 +164,8 @@ TransportResult ReferenceTransport::Parts::solve(const SkyQuery& query, PathTrac
     }
     // The error falls with the root of the paths; it is itself not well known.
     const double factor = any ? std::clamp(1.1 * excess * excess, 1.25, 4.0) : 2.0;
-    wanted = std::min(static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(paths))), budget.most_paths);
+    wanted =
+        std::min(evenly(static_cast<std::uint64_t>(std::ceil(factor * static_cast<double>(paths)))), budget.most_paths);
   }
   TransportResult result;
   result.paths = paths;
@@ -206,7 +196,7 @@ TransportResult ReferenceTransport::diffuse_irradiance(const SkyQuery& query,
 }
 
 std::vector<double> ReferenceTransport::direct_irradiance(const SkyQuery& query) const {
-  validate(query, {});
+  validate(query);
   const Vec3 observer(0.0, 0.0, parts_->air.ground_km() + query.height.to(kilometre));
   const double altitude = std::asin(std::clamp(query.light_direction.z, -1.0, 1.0));
   std::vector<double> sums(parts_->optics.size(), 0.0);

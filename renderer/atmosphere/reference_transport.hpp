@@ -47,7 +47,7 @@ class TransportGuide;
 ///
 /// Straight rays, no polarization, a spherical ground that reflects after Lambert. (Paths are drawn after a coarse
 /// deterministic solution of the same medium, so that they go toward lit air: it decides how soon an answer converges,
-/// never the answer.) Optical depths come from quadrature, within 1e-5 of themselves.
+/// never the answer.) Optical depths come from quadrature (SampledAir), within 1e-5 of themselves or 5e-7.
 class ReferenceTransport {
 public:
   /// Takes seconds: the guide is solved here, for all lights and observers.

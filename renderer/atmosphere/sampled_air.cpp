@@ -2,6 +2,7 @@
 
 #include "vesper/base/error.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace vesper {
@@ -26,12 +27,21 @@ SampledAir::SampledAir(const Medium& medium) : components_(medium.components.siz
       tolerance_km[c] += relative * step_km * densities_.back();
     }
   }
+  std::vector<std::size_t> breaks;
+  for (const MediumComponent& component : medium.components) {
+    for (const double km : component.profile.breaks_km()) {
+      breaks.push_back(static_cast<std::size_t>(std::lround(std::clamp(km, 0.0, height_km) / step_km)));
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
   levels_km_.push_back(ground_km_);
-  split(0, intervals_, tolerance_km);
+  split(0, intervals_, breaks, tolerance_km);
 }
 
-/// Appends the upper borders of shells in which `add_columns` holds the columns of a vertical ray.
-void SampledAir::split(std::size_t first, std::size_t last, const PerComponent& tolerance_km) {
+/// Appends the upper borders of shells in which `add_columns` holds the columns of a vertical ray. Shells are divided
+/// where profiles break, as long as one does inside: a kink within a shell would take many halvings to enclose.
+void SampledAir::split(std::size_t first, std::size_t last, const std::vector<std::size_t>& breaks,
+                       const PerComponent& tolerance_km) {
   const double low_km = static_cast<double>(first) * step_km;
   const double width_km = static_cast<double>(last - first) * step_km;
   constexpr std::size_t narrowest = 2;
@@ -54,8 +64,14 @@ void SampledAir::split(std::size_t first, std::size_t last, const PerComponent& 
     return;
   }
   const std::size_t middle = first + (last - first) / 2;
-  split(first, middle, tolerance_km);
-  split(middle, last, tolerance_km);
+  const auto from_middle = [&](std::size_t place) { return place > middle ? place - middle : middle - place; };
+  const auto inside = std::upper_bound(breaks.begin(), breaks.end(), first);
+  const auto nearest =
+      std::min_element(inside, std::max(inside, std::lower_bound(breaks.begin(), breaks.end(), last)),
+                       [&](std::size_t one, std::size_t other) { return from_middle(one) < from_middle(other); });
+  const std::size_t cut = nearest != breaks.end() && *nearest < last ? *nearest : middle;
+  split(first, cut, breaks, tolerance_km);
+  split(cut, last, breaks, tolerance_km);
 }
 
 AirRay SampledAir::ray(double radius_km, double cos_zenith) const {
@@ -63,13 +79,10 @@ AirRay SampledAir::ray(double radius_km, double cos_zenith) const {
   AirRay ray;
   ray.origin_km = radius * cos_zenith;
   ray.perigee_km = radius * std::sqrt(std::max(0.0, (1.0 - cos_zenith) * (1.0 + cos_zenith)));
-  const auto half_chord = [&](double r) {
-    return r > ray.perigee_km ? std::sqrt((r - ray.perigee_km) * (r + ray.perigee_km)) : 0.0;
-  };
-  const double reach = half_chord(top_km_);
+  const double reach = crossing_km(ray.perigee_km, top_km_);
   ray.begin_km = std::max(ray.origin_km, -reach);
   ray.meets_ground = cos_zenith < 0.0 && ray.perigee_km < ground_km_;
-  ray.end_km = std::max(ray.begin_km, ray.meets_ground ? -half_chord(ground_km_) : reach);
+  ray.end_km = std::max(ray.begin_km, ray.meets_ground ? -crossing_km(ray.perigee_km, ground_km_) : reach);
   return ray;
 }
 

@@ -15,19 +15,7 @@
 namespace vesper {
 namespace {
 
-void check(const SkyQuery& query, double relative_error) {
-  const double height_km = query.height.to(kilometre);
-  if (!(height_km >= 0.0) || !std::isfinite(height_km)) {
-    throw Error(ErrorKind::argument, "an observer " + std::to_string(height_km) + " km above the ground",
-                {"", "", "Give a finite height of 0 or more"});
-  }
-  constexpr double tolerance = 1.0e-9;
-  for (const Vec3& direction : {query.light_direction, query.view_direction}) {
-    if (!(std::abs(glm::length(direction) - 1.0) <= tolerance)) {
-      throw Error(ErrorKind::argument, "a direction of length " + std::to_string(glm::length(direction)),
-                  {"", "", "Give vectors of unit length"});
-    }
-  }
+void hold(double relative_error) {
   if (!(relative_error >= 1.0e-8 && relative_error <= 0.1)) {
     throw Error(ErrorKind::argument, "a relative error of " + std::to_string(relative_error),
                 {"", "", "Give 1e-8 to 0.1"});
@@ -327,7 +315,8 @@ SingleScattering ViewRay::integrate(double relative_error) const {
 
 SingleScattering single_scattering(const Medium& medium, const SkyQuery& query,
                                    const std::vector<double>& wavelengths_nm, double relative_error) {
-  check(query, relative_error);
+  validate(query);
+  hold(relative_error);
   if (wavelengths_nm.empty()) {
     throw Error(ErrorKind::argument, "no wavelength", {"", "", "Give at least one"});
   }

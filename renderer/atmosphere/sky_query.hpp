@@ -14,4 +14,7 @@ struct SkyQuery {
   Vec3 view_direction;        ///< where light is looked for; without meaning for an irradiance
 };
 
+/// Throws Error(argument) naming the value that is out of its range.
+void validate(const SkyQuery& query);
+
 } // namespace vesper

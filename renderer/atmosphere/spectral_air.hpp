@@ -43,13 +43,15 @@ public:
     }
     return depth;
   }
-  /// Smaller than the optical depth at any wavelength, and quick.
-  [[nodiscard]] double least_optical_depth(const SampledAir::PerComponent& columns_km) const {
+  /// Whether the columns let less than 1e-26 through at every wavelength: no sky shows it, so nothing behind them is
+  /// followed.
+  [[nodiscard]] bool opaque(const SampledAir::PerComponent& columns_km) const {
+    constexpr double deepest = 60.0;
     double depth = 0.0;
     for (std::size_t c = 0; c < components_.size(); ++c) {
       depth += components_[c].least_extinction_per_km * columns_km[c];
     }
-    return depth;
+    return depth >= deepest;
   }
   /// Largest by any wavelength of what a kilometre takes away.
   [[nodiscard]] double most_extinction_per_km(const SampledAir::PerComponent& density) const {

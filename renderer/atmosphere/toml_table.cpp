@@ -124,8 +124,8 @@ void TomlTable::hold(std::string_view key, const std::vector<double>& values, Ra
   const std::string with_unit = unit.empty() ? "" : fmt::format(" {}", unit);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] >= range.lowest && values[i] <= range.highest)) {
-      const std::string which = values.size() > 1 ? fmt::format("number {} of {}, ", i + 1, values.size()) : "";
-      fail(key, fmt::format("{}{:g}{}, is out of range", which, values[i], with_unit),
+      const std::string which = values.size() > 1 ? fmt::format(", number {} of {},", i + 1, values.size()) : "";
+      fail(key, fmt::format("{:g}{}{} is out of range", values[i], with_unit, which),
            range.highest == any_number.highest
                ? "Give a finite number"
                : fmt::format("Give {:g} to {:g}{}", range.lowest, range.highest, with_unit));

@@ -1,9 +1,11 @@
 // A coarse solution of the light transport, made to tell random paths where the light is.
 #pragma once
 
+#include "vesper/atmosphere/random_stream.hpp"
 #include "vesper/atmosphere/spectral_air.hpp"
 #include "vesper/base/vector.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -45,8 +47,7 @@ public:
   [[nodiscard]] std::size_t cell(double radius_km, double cos_light_zenith) const;
   /// \return whether any light arrives in this cell at the guide's wavelength k; without it there is nothing to sample
   [[nodiscard]] bool lit(std::size_t cell, std::size_t k) const;
-  /// \param u, v, w uniform in [0, 1)
-  [[nodiscard]] Direction sample(std::size_t cell, std::size_t k, double u, double v, double w) const;
+  [[nodiscard]] Direction sample(std::size_t cell, std::size_t k, RandomStream& random) const;
   /// Density of `sample`, 1/sr; 0 in unlit cells.
   [[nodiscard]] Values density(std::size_t cell, Direction direction) const;
 
@@ -67,6 +68,12 @@ private:
   };
   struct Step;
   struct ViewRay;
+  struct LightPlace;
+  /// Of all light that arrives at a cell: its mean radiance over the sphere, and what it gives a level surface.
+  struct Gathered {
+    Values mean;
+    Values irradiance;
+  };
 
   struct HeightPlace {
     std::size_t below;
@@ -76,9 +83,27 @@ private:
   [[nodiscard]] static Corner corner(HeightPlace height, double cos_light_zenith);
   [[nodiscard]] std::size_t zenith_bin(std::size_t height, double cos_zenith) const;
   [[nodiscard]] Values between(const std::vector<Values>& table, const Corner& corner) const;
-  [[nodiscard]] ViewRay view_ray(std::size_t height, std::size_t zenith_bin) const;
+  [[nodiscard]] static Values on_ground(const std::vector<Values>& by_angle, double cos_light_zenith);
+  [[nodiscard]] static double cos_light_zenith(std::size_t angle);
+  [[nodiscard]] double bin_cos_zenith(std::size_t height, std::size_t zenith_bin) const;
+  [[nodiscard]] double bin_sr(std::size_t height, std::size_t zenith_bin) const;
+
   void solve_beam(unsigned threads);
   void solve_scattered(unsigned threads);
+  /// Fills the cell's histogram with radiance(view, light, place in `cumulative_` for the first wavelength).
+  template <class Radiance>
+  [[nodiscard]] Gathered gather(std::size_t cell, const std::vector<ViewRay>& views, Radiance&& radiance);
+  /// Turns histograms into sums over their bins, up to 1.
+  void accumulate_histograms();
+  [[nodiscard]] ViewRay view_ray(std::size_t height, std::size_t zenith_bin) const;
+  // Radiance along a view: what the ground sends of an irradiance by angle, what the air and the ground send of the
+  // beam, and of the light that they have scattered before.
+  [[nodiscard]] Values reflected(const ViewRay& view, const LightPlace& light,
+                                 const std::vector<Values>& irradiance) const;
+  [[nodiscard]] Values scattered_once(const ViewRay& view, const LightPlace& light,
+                                      const std::vector<Values>& ground) const;
+  [[nodiscard]] Values scattered_again(const ViewRay& view, const LightPlace& light, const std::vector<Values>& mean,
+                                       const std::vector<Values>& ground) const;
 
   const SampledAir& air_;
   const SpectralAir& optics_;
@@ -91,5 +116,25 @@ private:
   std::vector<Values> ground_;                                              ///< by angle
   std::vector<float> cumulative_; ///< by cell, wavelength, bin; up to 1, or all 0
 };
+
+inline TransportGuide::Corner TransportGuide::corner(HeightPlace height, double cos_light_zenith) {
+  const double place = std::clamp(0.5 * (cos_light_zenith + 1.0), 0.0, 1.0) * static_cast<double>(angles - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), angles - 2);
+  return {height.below, below, height.fraction, place - static_cast<double>(below)};
+}
+
+inline TransportGuide::Values TransportGuide::between(const std::vector<Values>& table, const Corner& corner) const {
+  const Values* low = &table[corner.height * angles + corner.angle];
+  const Values* high = low + angles;
+  const double t = corner.angle_fraction;
+  const double s = corner.height_fraction;
+  Values result{};
+  for (std::size_t k = 0; k < most_wavelengths; ++k) {
+    const double below = low[0][k] + t * (low[1][k] - low[0][k]);
+    const double above = high[0][k] + t * (high[1][k] - high[0][k]);
+    result[k] = below + s * (above - below);
+  }
+  return result;
+}
 
 } // namespace vesper

@@ -19,8 +19,6 @@ extern const EmbeddedTable embedded_light_tables;
 
 namespace {
 
-constexpr Length mean_distance = 384400.0 * kilometre;
-
 double checked_degrees(Angle phase_angle) {
   const double degrees = phase_angle.to(deg);
   if (!(degrees >= 0.0 && degrees <= 180.0)) {
@@ -60,7 +58,7 @@ Spectrum moon_irradiance(Angle phase_angle, Length from_observer, Length from_su
   hold_positive("a distance of the Moon from the Sun", from_sun);
   const Spectrum albedo = moon_albedo(phase_angle);
   const Spectrum light = filtered(solar_irradiance_1au(), albedo);
-  const double distances = (from_observer / mean_distance) * (from_sun / astronomical_unit);
+  const double distances = (from_observer / moon_mean_distance) * (from_sun / astronomical_unit);
   const Illuminance illuminance =
       illuminance_of_v(moon_v_magnitude(phase_angle), reflected_sunlight(albedo).lux_ratio) / (distances * distances);
   const double scale = illuminance.to(lux) / integrate_xyzs(light).y;

@@ -6,11 +6,13 @@
 
 namespace vesper {
 
-/// V magnitude of the whole Moon at mean distances (384 400 km, 1 au): -12.73 + 0.026 a + 4e-9 a^4 with the phase angle
-/// a in degrees (Allen 1973, Astrophysical Quantities, as in Krisciunas and Schaefer 1991, PASP 103, 1033). Measured to
-/// a = 150 degrees or so; at 180, where the Moon is dark, it still gives -3.9. The opposition surge is not in it. From
-/// 7 to 90 degrees it lies within 0.08 mag of the lunar irradiance model of Kieffer and Stone 2005.
-/// \param phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
+inline constexpr Length moon_mean_distance = 384400.0 * kilometre;
+
+/// V magnitude of the whole Moon at mean distances (moon_mean_distance, 1 au): -12.73 + 0.026 a + 4e-9 a^4 with the
+/// phase angle a in degrees (Allen 1973, Astrophysical Quantities, as in Krisciunas and Schaefer 1991, PASP 103, 1033).
+/// Measured to a = 150 degrees or so; at 180, where the Moon is dark, it still gives -3.9. The opposition surge is not
+/// in it. From 7 to 90 degrees it lies within 0.08 mag of the lunar irradiance model of Kieffer and Stone 2005. \param
+/// phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
 [[nodiscard]] double moon_v_magnitude(Angle phase_angle);
 
 /// The albedo of the Moon's near side, 350 to 850 nm, to a scale: the mean of Velikodsky et al. 2011 (Icarus 214, 30,

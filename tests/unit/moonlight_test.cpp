@@ -14,8 +14,6 @@
 namespace vesper {
 namespace {
 
-constexpr Length mean_distance = 384400.0 * kilometre;
-
 TEST(Moonlight, MagnitudeFollowsThePhaseLaw) {
   EXPECT_DOUBLE_EQ(moon_v_magnitude(0.0 * deg), -12.73);
   // Quarter: 2.34 + 0.26 mag fainter.
@@ -27,24 +25,24 @@ TEST(Moonlight, MagnitudeFollowsThePhaseLaw) {
 TEST(Moonlight, SpectrumHasTheMagnitudeOfThePhaseLaw) {
   const double a0 = lux_per_v_flux(planck_spectrum(star_temperature_k(0.0)));
   for (double phase = 0.0; phase <= 180.0; phase += 7.5) {
-    const Spectrum light = moon_irradiance(phase * deg, mean_distance, astronomical_unit);
+    const Spectrum light = moon_irradiance(phase * deg, moon_mean_distance, astronomical_unit);
     const double v = v_of_illuminance(integrate_xyzs(light).y * lux, lux_per_v_flux(light) / a0);
     EXPECT_NEAR(v, moon_v_magnitude(phase * deg), 1e-12) << phase;
   }
 }
 
 TEST(Moonlight, FallsWithTheSquareOfBothDistances) {
-  const double mean = integrate_xyzs(moon_irradiance(30.0 * deg, mean_distance, astronomical_unit)).y;
-  EXPECT_NEAR(integrate_xyzs(moon_irradiance(30.0 * deg, 2.0 * mean_distance, astronomical_unit)).y, mean / 4.0,
+  const double mean = integrate_xyzs(moon_irradiance(30.0 * deg, moon_mean_distance, astronomical_unit)).y;
+  EXPECT_NEAR(integrate_xyzs(moon_irradiance(30.0 * deg, 2.0 * moon_mean_distance, astronomical_unit)).y, mean / 4.0,
               1e-15 + 1e-12 * mean);
-  EXPECT_NEAR(integrate_xyzs(moon_irradiance(30.0 * deg, mean_distance, 0.5 * astronomical_unit)).y, mean * 4.0,
+  EXPECT_NEAR(integrate_xyzs(moon_irradiance(30.0 * deg, moon_mean_distance, 0.5 * astronomical_unit)).y, mean * 4.0,
               1e-15 + 1e-11 * mean);
 }
 
 TEST(Moonlight, IsFiniteAndFallsOverAllPhases) {
   double last = std::numeric_limits<double>::infinity();
   for (double phase = 0.0; phase <= 180.0; phase += 0.5) {
-    const Spectrum light = moon_irradiance(phase * deg, mean_distance, astronomical_unit);
+    const Spectrum light = moon_irradiance(phase * deg, moon_mean_distance, astronomical_unit);
     EXPECT_LE(light.wavelengths_nm().front(), 360.0);
     EXPECT_GE(light.wavelengths_nm().back(), 830.0);
     for (const double value : light.values()) {
@@ -59,11 +57,12 @@ TEST(Moonlight, RefusesPhasesAndDistancesThatAreNone) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double phase : {-1.0e-9, 180.001, nan}) {
     EXPECT_THROW(static_cast<void>(moon_v_magnitude(phase * deg)), Error) << phase;
-    EXPECT_THROW(static_cast<void>(moon_irradiance(phase * deg, mean_distance, astronomical_unit)), Error) << phase;
+    EXPECT_THROW(static_cast<void>(moon_irradiance(phase * deg, moon_mean_distance, astronomical_unit)), Error)
+        << phase;
   }
   for (const double distance : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(static_cast<void>(moon_irradiance(0.0 * deg, distance * metre, astronomical_unit)), Error);
-    EXPECT_THROW(static_cast<void>(moon_irradiance(0.0 * deg, mean_distance, distance * metre)), Error);
+    EXPECT_THROW(static_cast<void>(moon_irradiance(0.0 * deg, moon_mean_distance, distance * metre)), Error);
   }
 }
 

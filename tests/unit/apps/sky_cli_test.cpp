@@ -154,6 +154,7 @@ TEST_F(SkyCli, BadOptionsExitWithTwoAndWriteNothing) {
            Case{"--sun-altitude 1 --unit-irradiance -o sky.exr", {"--unit-irradiance", "picture"}},
            Case{"--zenith --directions where.csv", {"--zenith, --directions FILE", "--picture"}},
            Case{"--json -o sky.exr", {"--json", "picture"}},
+           Case{"--sun-altitude 20 -o sky.png", {"--output", "sky.png", "NAME.exr"}},
            Case{"--illuminance --picture", {"--illuminance", "picture"}},
            Case{"--batch where.csv", {"--batch"}},
        }) {
