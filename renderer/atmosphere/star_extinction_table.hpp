@@ -17,14 +17,13 @@ namespace vesper {
 /// the integral of a black body's light through the medium over the one without it. Immutable; star_extinction and
 /// shaders/lib/extinction.glsl read it.
 ///
-/// Rows crowd towards the refracted, dipped horizon; behind it they would be the horizon's. Columns are the black
-/// bodies of star_color, B-V from -0.4 to 6, and a star finds its own by ln(Z/Y) of its colour. For black bodies each
-/// of X, Y, Z and S is within 0.1 % of the integral above 5 degrees and 1.1 % down to the horizon.
+/// Rows crowd towards the refracted, dipped horizon. Columns are the black bodies of star_color, B-V from -0.4 to 6,
+/// and a star finds its own by ln(Z/Y) of its colour. For black bodies each of X, Y, Z and S is within 0.1 % of the
+/// integral above 5 degrees and 1.1 % down to the horizon.
 ///
 /// Light that is no black body's is dimmed as that of the same ln(Z/Y): sunlight, Venus, Mars, Jupiter and Saturn are
-/// then within 2.5 % above 5 degrees and 7 % at the horizon, about as far as true stars are from black bodies. Uranus
-/// and Neptune, dark in the red as no black body is, are within 5 % at 5 degrees and 25 % at the horizon, where they
-/// cannot be seen.
+/// then within 2.5 % above 5 degrees and 7 % at the horizon. Uranus and Neptune, dark in the red as no black body is,
+/// are within 5.5 % and 25 %; low as that they cannot be seen.
 struct StarExtinction {
   f64::StarExtinctionFrame frame{}; ///< how the table is read
   std::vector<Vec4> texels;         ///< logarithms of the shares, row by row

@@ -13,11 +13,11 @@ struct StarExtinctionFrame {
   Real columns_per_hue;
 };
 
-// The shares that are left, between rows and columns in a straight line of their logarithms. Below the horizon, which
-// no light passes, they stay those of the horizon.
+// The shares that are left, between rows and columns in a straight line of their logarithms. Below the horizon, where
+// the ground stops all light, those of the mirrored altitude, so that the sky can also be drawn without a ground.
 FN vec4 star_extinction(Real sin_altitude, vec4 light, StarExtinctionFrame frame, sampler2D table) {
-  Real above = max(sin_altitude - frame.sin_horizon, Real(0.0));
-  Real row = clamp(frame.rows_per_x * arc_sinh(above / frame.width), Real(0.0), Real(frame.rows - 1));
+  Real off = abs(sin_altitude - frame.sin_horizon);
+  Real row = clamp(frame.rows_per_x * arc_sinh(off / frame.width), Real(0.0), Real(frame.rows - 1));
   // Light without any Y or Z has the colour of the nearest end.
   Real hue = log(max(light.z, Real(1.0e-30)) / max(light.y, Real(1.0e-30)));
   Real column = clamp(frame.columns_per_hue * (hue - frame.reddest), Real(0.0), Real(frame.columns - 1));

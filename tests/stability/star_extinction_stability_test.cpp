@@ -74,15 +74,20 @@ TEST(StarExtinction, LetsMoreLightThroughTheHigherItComesFrom) {
   for (const double height_km : {-0.4, 0.0, 1.0e-3, 2.4, 9.0}) {
     const StarExtinction table =
         make_star_extinction(clear_medium(), height_km * kilometre, standard_conditions(height_km * kilometre));
+    const double horizon = table.frame.sin_horizon;
     Vec4 last(0.0);
-    for (int i = -2000; i <= 2000; ++i) {
+    for (int i = 0; i <= 2000; ++i) {
       const double t = i / 2000.0;
-      const Vec4 share = star_extinction(table, t * t * t, white);
+      const Vec4 share = star_extinction(table, horizon + (1.0 - horizon) * t * t * t, white);
       for (int channel = 0; channel < 4; ++channel) {
         ASSERT_GE(share[channel], last[channel] * (1.0 - 1.0e-12)) << height_km << " " << t;
       }
       last = share;
     }
+    // A sky without a ground goes on below the horizon without a step.
+    const Vec4 below = star_extinction(table, horizon - 1.0e-9, white) / star_extinction(table, horizon, white);
+    EXPECT_NEAR(below.z, 1.0, 1.0e-4) << height_km;
+    EXPECT_GT(star_extinction(table, -1.0, white).y, 0.7);
   }
 }
 
