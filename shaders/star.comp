@@ -21,6 +21,9 @@ layout(std430, binding = 0) readonly buffer Records { float records[]; };
 layout(std430, binding = 1) readonly buffer Numbers { uint numbers[]; };
 
 layout(binding = 0) uniform sampler1D refraction_table;
+#ifndef CHEAP
+layout(binding = 1) uniform sampler2D extinction_table;
+#endif
 #ifdef DISCS
 layout(std430, binding = 3) readonly buffer Discs { float disc_rad[]; };
 #endif
@@ -86,9 +89,17 @@ PlacedStar place(uint star) {
   dvec3 horizon =
       apparent_direction(normalize(block.horizon_from_icrs * icrs), refraction, refraction_table);
   float sin_altitude = float(horizon.z);
+  vec4 light =
+      records[at + 8u] * vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);
+#ifdef CHEAP
   float path = optical_path(sin_altitude, block.observer_height_km);
-  vec4 color = vec4(records[at + 9u], records[at + 10u], records[at + 11u], records[at + 12u]);
-  vec4 light = records[at + 8u] * modulate_xyzs(color, extinction(block.optical_depth, path));
+  light = modulate_xyzs(light, extinction(block.optical_depth, path));
+#else
+  StarExtinctionFrame air = StarExtinctionFrame(
+      block.extinction_rows, block.extinction_columns, block.extinction_horizon, block.extinction_width,
+      block.extinction_rows_per_x, block.extinction_reddest, block.extinction_columns_per_hue);
+  light *= star_extinction(sin_altitude, light, air, extinction_table);
+#endif
   PlacedStar placed = PlacedStar(block.view_from_horizon * horizon, sin_altitude, hash_pair(numbers[star], block.seed),
                                  light, 0.0, 0.0, 0.0, block.pupil_m);
 #ifdef DISCS

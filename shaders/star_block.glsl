@@ -11,7 +11,7 @@ layout(std140, binding = 0) uniform StarBlock {
   dvec2 size;
   double focal;
   double seconds;
-  vec4 optical_depth;       // of one zenith column, in X, Y, Z, S; zero for no air
+  vec4 optical_depth;       // of one zenith column, of the cheap tier, in X, Y, Z, S; zero for no air
   float observer_height_km;
   float exposure_s;         // scintillation is averaged over it
   float pupil_m;            // 0 for no scintillation
@@ -26,4 +26,11 @@ layout(std140, binding = 0) uniform StarBlock {
   vec2 refraction_horizons; // horizon_apparent, horizon_true
   int refraction_kind;
   float refraction_strength;
+  int extinction_rows;      // StarExtinctionFrame
+  int extinction_columns;
+  float extinction_horizon;
+  float extinction_width;
+  float extinction_rows_per_x;
+  float extinction_reddest;
+  float extinction_columns_per_hue;
 } block;

@@ -13,6 +13,8 @@ struct RefractionConditions {
   double pressure_hpa = 1013.25; ///< at the observer, 0 (no air) to 1100
   double temperature_c = 15.0;   ///< at the observer, -90 to 60
   double wavelength_nm = 555.0;  ///< in vacuum, 300 to 1700; by default where the eye sees best
+
+  [[nodiscard]] friend bool operator==(const RefractionConditions&, const RefractionConditions&) = default;
 };
 
 /// Pressure and temperature of the US Standard Atmosphere 1976 at a height; 555 nm.

@@ -1,4 +1,4 @@
-// What the air takes from starlight, in the form that the star pass draws with.
+// What the air takes from starlight, in the form that the cheap tier draws with.
 #pragma once
 
 #include "vesper/atmosphere/medium.hpp"

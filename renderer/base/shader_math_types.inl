@@ -2,6 +2,7 @@
 using vec2 = glm::vec<2, Real>;
 using vec3 = glm::vec<3, Real>;
 using vec4 = glm::vec<4, Real>;
+using ivec2 = glm::ivec2;
 using mat3 = glm::mat<3, 3, Real>;
 using mat4 = glm::mat<4, 4, Real>;
 using uint = unsigned int;
@@ -48,4 +49,16 @@ struct sampler1D { // NOLINT(readability-identifier-naming)
 };
 inline vec4 texelFetch(sampler1D texture, int texel, int /*level*/) { // NOLINT(readability-identifier-naming)
   return texel >= 0 && texel < texture.width ? texture.texels[texel] : vec4(Real(0));
+}
+
+/// A two-dimensional one, row by row.
+struct sampler2D { // NOLINT(readability-identifier-naming)
+  const vec4* texels = nullptr;
+  int width = 0;
+  int height = 0;
+};
+inline vec4 texelFetch(sampler2D texture, ivec2 texel, int /*level*/) { // NOLINT(readability-identifier-naming)
+  return texel.x >= 0 && texel.x < texture.width && texel.y >= 0 && texel.y < texture.height
+             ? texture.texels[texel.y * texture.width + texel.x]
+             : vec4(Real(0));
 }

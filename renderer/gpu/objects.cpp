@@ -61,6 +61,14 @@ Texture make_row_texture(std::span<const float> rgba) {
   return texture;
 }
 
+Texture make_table_texture(int width, std::span<const float> rgba) {
+  const auto height = static_cast<GLsizei>(rgba.size() / 4) / width;
+  Texture texture = make_texture(width, height, PixelFormat::rgba32f);
+  glTextureSubImage2D(texture.name(), 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, rgba.data());
+  require_no_error("filling a texture");
+  return texture;
+}
+
 Framebuffer make_framebuffer(const Texture& color) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);

@@ -63,6 +63,8 @@ enum class PixelFormat { rgba32f, rgba8 };
 [[nodiscard]] Texture make_texture(int width, int height, PixelFormat format);
 /// One row of RGBA texels of 32-bit floats, to be read with texelFetch.
 [[nodiscard]] Texture make_row_texture(std::span<const float> rgba);
+/// Rows of as many such texels each.
+[[nodiscard]] Texture make_table_texture(int width, std::span<const float> rgba);
 [[nodiscard]] Framebuffer make_framebuffer(const Texture& color);
 
 /// Largest width and height of a texture.

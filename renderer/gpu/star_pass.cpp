@@ -41,6 +41,14 @@ struct StarBlock {
   std::array<float, 2> refraction_horizons;
   std::int32_t refraction_kind;
   float refraction_strength;
+  std::int32_t extinction_rows;
+  std::int32_t extinction_columns;
+  float extinction_horizon;
+  float extinction_width;
+  float extinction_rows_per_x;
+  float extinction_reddest;
+  float extinction_columns_per_hue;
+  std::uint32_t last_padding;
 };
 static_assert(offsetof(StarBlock, view_from_horizon) == 96 && offsetof(StarBlock, observer_au) == 192 &&
               offsetof(StarBlock, years) == 216 && offsetof(StarBlock, velocity_c) == 224 &&
@@ -48,7 +56,8 @@ static_assert(offsetof(StarBlock, view_from_horizon) == 96 && offsetof(StarBlock
               offsetof(StarBlock, focal) == 304 && offsetof(StarBlock, seconds) == 312 &&
               offsetof(StarBlock, optical_depth) == 320 && offsetof(StarBlock, observer_height_km) == 336 &&
               offsetof(StarBlock, control_magnitude) == 352 && offsetof(StarBlock, strip) == 376 &&
-              offsetof(StarBlock, refraction_scales) == 384 && sizeof(StarBlock) == 416);
+              offsetof(StarBlock, refraction_scales) == 384 && offsetof(StarBlock, extinction_rows) == 416 &&
+              sizeof(StarBlock) == 448);
 
 /// What star.comp writes and star.vert reads, std430.
 struct StarBillboard {
@@ -70,7 +79,8 @@ std::array<std::array<double, 4>, 3> columns(const Mat3& matrix) {
 
 std::array<double, 3> array_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& plan, double epoch_jyear) {
+StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& plan,
+                     const f64::StarExtinctionFrame& extinction, double epoch_jyear) {
   const f64::StarPlaceFrame place = place_frame(sky.stars, epoch_jyear);
   const f64::ProjectionFrame projection = projection_frame(view);
   const AirOptions& air = plan.options.air;
@@ -106,6 +116,13 @@ StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& pla
                                static_cast<float>(refraction.horizon_true)};
   block.refraction_kind = refraction.kind;
   block.refraction_strength = static_cast<float>(refraction.strength);
+  block.extinction_rows = extinction.rows;
+  block.extinction_columns = extinction.columns;
+  block.extinction_horizon = static_cast<float>(extinction.sin_horizon);
+  block.extinction_width = static_cast<float>(extinction.width);
+  block.extinction_rows_per_x = static_cast<float>(extinction.rows_per_x);
+  block.extinction_reddest = static_cast<float>(extinction.reddest);
+  block.extinction_columns_per_hue = static_cast<float>(extinction.columns_per_hue);
   return block;
 }
 
@@ -169,8 +186,9 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
     defines.emplace_back("CONSTANT_COLOR");
   }
   draw_program_ = &draw_programs_.get(defines);
-  update_buffer(uniforms_, bytes_of(star_block(sky, view, plan, epoch_jyear_)));
   refraction_.update(plan.refraction);
+  extinction_.update(plan);
+  update_buffer(uniforms_, bytes_of(star_block(sky, view, plan, extinction_.frame(), epoch_jyear_)));
 
   glUseProgram(place_program.name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
@@ -178,6 +196,7 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, numbers_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, billboards_.name());
   refraction_.bind(0);
+  extinction_.bind(1);
   const auto groups = (static_cast<GLuint>(plan.star_count) + invocations_per_group - 1) / invocations_per_group;
   glDispatchCompute(groups, 1, 1);
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);

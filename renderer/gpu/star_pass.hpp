@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/assets/star_catalogue.hpp"
+#include "vesper/gpu/extinction_texture.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
@@ -44,6 +45,7 @@ private:
   Buffer billboards_;
   Buffer uniforms_;
   RefractionTexture refraction_;
+  ExtinctionTexture extinction_;
   VertexArray vertices_;
   const ProgramHandle* draw_program_ = nullptr;
   std::size_t instances_ = 0;

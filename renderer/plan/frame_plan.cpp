@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -20,10 +21,26 @@ int copies_of(Projection projection) {
   }
 }
 
+std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, const AirOptions& air,
+                                                        std::shared_ptr<const Medium> medium, const FramePlan* before) {
+  std::optional<RefractionConditions> bending;
+  if (air.refraction && sky.refraction.model != RefractionModel::none) {
+    bending = sky.refraction.conditions;
+  }
+  const Length height = sky.observer.height;
+  if (before != nullptr && before->extinction != nullptr && before->extinction->medium == medium &&
+      before->extinction->height == height && before->extinction->bending == bending) {
+    return before->extinction;
+  }
+  StarExtinction table = make_star_extinction(*medium, height, bending);
+  return std::make_shared<const PlannedExtinction>(
+      PlannedExtinction{std::move(medium), height, bending, std::move(table)});
+}
+
 } // namespace
 
 FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
-                     const FrameOptions& options) {
+                     const FrameOptions& options, const FramePlan* before) {
   validate(view);
   FramePlan plan;
   plan.options = options;
@@ -37,8 +54,13 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   }
   plan.star_copies = copies_of(view.projection);
   if (options.air.extinction) {
-    static const Medium clear = clear_medium();
-    plan.optical_depth = star_optical_depth_xyzs(options.air.medium ? *options.air.medium : clear, sky.observer.height);
+    static const auto clear = std::make_shared<const Medium>(clear_medium());
+    const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
+    if (plan.cheap_stars) {
+      plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);
+    } else {
+      plan.extinction = extinction_for(sky, options.air, medium, before);
+    }
   }
   if (options.air.refraction) {
     plan.refraction = with_table(sky.refraction);

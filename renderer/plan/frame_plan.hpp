@@ -3,6 +3,7 @@
 
 #include "vesper/assets/star_catalogue.hpp"
 #include "vesper/atmosphere/medium.hpp"
+#include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace vesper {
@@ -40,19 +42,30 @@ struct FrameOptions {
 /// The most billboards that one star needs: the faces that meet at a cube's corner.
 inline constexpr int most_star_copies = 3;
 
+/// A table of the stars' extinction, and what it was made for.
+struct PlannedExtinction {
+  std::shared_ptr<const Medium> medium;
+  Length height;
+  std::optional<RefractionConditions> bending;
+  StarExtinction table;
+};
+
 /// The decisions for one frame, ready for the passes.
 struct FramePlan {
   FrameOptions options;
   bool cheap_stars = false;   ///< Mueller's point-spread function, fades and scintillation
   std::size_t star_count = 0; ///< a prefix of the catalogue
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
-  Vec4 optical_depth{};       ///< of one zenith column: star_optical_depth_xyzs
-  Refraction refraction;      ///< with its table
+  Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
+  std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
+  Refraction refraction;                               ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
+/// \param before the plan of an earlier frame, whose table of extinction serves again (and need not be made, in 3 ms)
+///        where medium, height and the air that bends the light are the same
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
-                                   const FrameOptions& options = {});
+                                   const FrameOptions& options = {}, const FramePlan* before = nullptr);
 
 } // namespace vesper

@@ -1,5 +1,7 @@
 // Cost of the star pass against the same billboards in one colour, both in one run and frame by frame in turn.
 #include "vesper/assets/default_stars.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/renderer.hpp"
@@ -77,6 +79,16 @@ void sky_of_an_instant(benchmark::State& state) {
   }
 }
 BENCHMARK(sky_of_an_instant);
+
+/// What it costs when the medium or the observer's height changes.
+void table_of_star_extinction(benchmark::State& state) {
+  const Medium medium = clear_medium();
+  const RefractionConditions conditions = standard_conditions(47.0 * metre);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(make_star_extinction(medium, 47.0 * metre, conditions));
+  }
+}
+BENCHMARK(table_of_star_extinction)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace vesper

@@ -2,7 +2,6 @@
 #include "render/render_fixture.hpp"
 
 #include "vesper/atmosphere/medium_presets.hpp"
-#include "vesper/atmosphere/transmittance.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -157,32 +156,60 @@ TEST_F(Frames, AFifthMagnitudeStarShowsInTheDefaultPicture) {
   EXPECT_GE(faintest, 80);
 }
 
-TEST_F(Frames, ExtinctionDimsByTheStatedOpticalDepth) {
+TEST_F(Frames, ExtinctionDimsAsTheSpectrumThroughTheMediumTells) {
   View view;
   view.projection = Projection::perspective;
   view.fov = 10.0 * deg;
   view.width = view.height = 64;
+  const SkyState sky = still_sky();
+  FrameOptions options = bare_stars();
   for (const double altitude : {90.0, 30.0, 10.0, 1.0}) {
     view.altitude = altitude * deg;
-    const std::vector<StarRecord> stars{white_star(direction_at(view, {32.2, 31.7}), 2.54e-7)};
-    renderer.load(catalogue_of(stars));
-    const SkyState sky = still_sky();
-    FrameOptions options = bare_stars();
-    const gpu::Frame clear = renderer.render(sky, view, plan_frame(sky, view, stars, options));
-    options.air.extinction = true;
-    const FramePlan plan = plan_frame(sky, view, stars, options);
-    const gpu::Frame dimmed = renderer.render(sky, view, plan);
-    for (int channel = 0; channel < 4; ++channel) {
-      const double ratio =
-          illuminance_in(dimmed, view, 0, 0, 64, 64, channel) / illuminance_in(clear, view, 0, 0, 64, 64, channel);
-      const double path = f64::optical_path(static_cast<double>(stars[0].position[2]), 0.0);
-      // X holds a blue lobe of its own, which is dimmed as Z is.
-      const glm::dvec4 color(stars[0].color[0], stars[0].color[1], stars[0].color[2], stars[0].color[3]);
-      const double blue_of_x = 0.1955 * color.z / color.x;
-      const auto left = [&](int at) { return std::exp(-plan.optical_depth[at] * path); };
-      const double expected = channel == 0 ? (1.0 - blue_of_x) * left(0) + blue_of_x * left(2) : left(channel);
-      EXPECT_NEAR(ratio, expected, 2.0e-3 * ratio) << altitude << " " << channel;
+    for (const double b_v : {-0.2, 0.6, 1.8}) {
+      const Vec3 direction = direction_at(view, {32.2, 31.7});
+      const std::vector<StarRecord> stars{star_of_color(b_v, direction, 2.54e-7)};
+      renderer.load(catalogue_of(stars));
+      options.air.extinction = false;
+      const gpu::Frame clear = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+      options.air.extinction = true;
+      const gpu::Frame dimmed = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+      const Vec4 expected = share_through(clear_medium(), 0.0 * metre, direction, b_v);
+      for (int channel = 0; channel < 4; ++channel) {
+        const double ratio =
+            illuminance_in(dimmed, view, 0, 0, 64, 64, channel) / illuminance_in(clear, view, 0, 0, 64, 64, channel);
+        EXPECT_NEAR(ratio, expected[channel], 2.0e-3 * ratio) << altitude << " " << b_v << " " << channel;
+      }
     }
+  }
+}
+
+TEST_F(Frames, TheCheapTierDimsByTheStatedOpticalDepth) {
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = 10.0 * deg;
+  view.width = view.height = 64;
+  view.altitude = 10.0 * deg;
+  SkyState sky = still_sky();
+  sky.tier = Tier::cheap;
+  sky.sun.altitude = -30.0 * deg;
+  // Too faint for glare, with and without air.
+  const std::vector<StarRecord> stars{white_star(direction_at(view, {32.2, 31.7}), 2.54e-9)};
+  renderer.load(catalogue_of(stars));
+  FrameOptions options = bare_stars();
+  const gpu::Frame clear = renderer.render(sky, view, plan_frame(sky, view, stars, options));
+  options.air.extinction = true;
+  const FramePlan plan = plan_frame(sky, view, stars, options);
+  const gpu::Frame dimmed = renderer.render(sky, view, plan);
+  for (int channel = 0; channel < 4; ++channel) {
+    const double ratio =
+        illuminance_in(dimmed, view, 0, 0, 64, 64, channel) / illuminance_in(clear, view, 0, 0, 64, 64, channel);
+    const double path = f64::optical_path(static_cast<double>(stars[0].position[2]), 0.0);
+    // X holds a blue lobe of its own, which is dimmed as Z is.
+    const glm::dvec4 color(stars[0].color[0], stars[0].color[1], stars[0].color[2], stars[0].color[3]);
+    const double blue_of_x = 0.1955 * color.z / color.x;
+    const auto left = [&](int at) { return std::exp(-plan.optical_depth[at] * path); };
+    const double expected = channel == 0 ? (1.0 - blue_of_x) * left(0) + blue_of_x * left(2) : left(channel);
+    EXPECT_NEAR(ratio, expected, 2.0e-3 * ratio) << channel;
   }
 }
 
@@ -193,7 +220,8 @@ TEST_F(Frames, ThickAirDimsTheStarsAsItsMediumTells) {
   view.width = view.height = 64;
   SkyState sky = still_sky();
   sky.observer.height = 2400.0 * metre;
-  const std::vector<StarRecord> stars{white_star({0.0, 0.0, 1.0}, 2.54e-7)};
+  const Vec3 zenith(0.0, 0.0, 1.0);
+  const std::vector<StarRecord> stars{star_of_color(0.3, zenith, 2.54e-7)};
   renderer.load(catalogue_of(stars));
   FrameOptions options = bare_stars();
   const auto light = [&] {
@@ -209,15 +237,32 @@ TEST_F(Frames, ThickAirDimsTheStarsAsItsMediumTells) {
   options.air.medium = std::make_shared<const Medium>(thick);
   const double dimmed = light();
   EXPECT_LT(dimmed, clear);
-  // Against the quadrature through the medium itself.
-  const Vec3 zenith(0.0, 0.0, 1.0);
-  const double depth =
-      optical_depth(thick,
-                    columns_to_space(thick, (thick.ground_radius + sky.observer.height).to(kilometre) * zenith, zenith),
-                    555.0)
-          .value;
+  const double expected = share_through(thick, sky.observer.height, zenith, 0.3).y;
   std::printf("%.2f magnitudes of haze from 2400 m\n", -2.5 * std::log10(dimmed / clear));
-  EXPECT_NEAR(dimmed / above_the_air, std::exp(-depth), 2.0e-3 * std::exp(-depth));
+  EXPECT_NEAR(dimmed / above_the_air, expected, 2.0e-3 * expected);
+}
+
+TEST_F(Frames, TheTableOfExtinctionIsMadeAgainForAnotherSceneOnly) {
+  SkyState sky = still_sky();
+  sky.refraction = standard_refraction(0.0 * metre, Tier::standard);
+  FrameOptions options;
+  options.air.medium = std::make_shared<const Medium>(clear_medium());
+  const FramePlan first = plan_frame(sky, View(), {}, options);
+  const auto made_again = [&] { return plan_frame(sky, View(), {}, options, &first).extinction != first.extinction; };
+  ASSERT_NE(first.extinction, nullptr);
+  EXPECT_FALSE(made_again());
+  sky.observer.height = 100.0 * metre;
+  EXPECT_TRUE(made_again());
+  sky.observer.height = 0.0 * metre;
+  options.air.medium = std::make_shared<const Medium>(published_medium());
+  EXPECT_TRUE(made_again());
+  options.air.medium = first.options.air.medium;
+  sky.refraction.conditions.temperature_c = -20.0;
+  EXPECT_TRUE(made_again());
+  options.air.refraction = false;
+  EXPECT_TRUE(made_again());
+  options.air.extinction = false;
+  EXPECT_EQ(plan_frame(sky, View(), {}, options, &first).extinction, nullptr);
 }
 
 TEST_F(Frames, ScintillationIsAFunctionOfStarTimeAndSeed) {

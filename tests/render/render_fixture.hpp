@@ -2,9 +2,13 @@
 #pragma once
 
 #include "vesper/assets/star_catalogue.hpp"
+#include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/base/shader_math.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/renderer.hpp"
+#include "vesper/light/response_functions.hpp"
+#include "vesper/light/spectrum.hpp"
+#include "vesper/light/star_color.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -13,6 +17,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace vesper::test {
@@ -50,6 +55,30 @@ inline StarRecord white_star(const Vec3& direction, double illuminance_lux) {
   star.illuminance = static_cast<float>(illuminance_lux);
   star.color = {0.95F, 1.0F, 1.09F, 2.2F};
   return star;
+}
+
+/// A black body of a colour index.
+inline StarRecord star_of_color(double b_v, const Vec3& direction, double illuminance_lux) {
+  StarRecord star = white_star(direction, illuminance_lux);
+  const Xyzs color = star_color(b_v);
+  star.color = {static_cast<float>(color.x), static_cast<float>(color.y), static_cast<float>(color.z),
+                static_cast<float>(color.s)};
+  return star;
+}
+
+/// The share of its X, Y, Z and S that comes through the air, by quadrature along the straight ray and over the
+/// spectrum.
+inline Vec4 share_through(const Medium& medium, Length height, const Vec3& direction, double b_v) {
+  const Vec3 eye(0.0, 0.0, (medium.ground_radius + height).to(kilometre));
+  const AirColumns columns = columns_to_space(medium, eye, glm::normalize(direction));
+  const Spectrum above = planck_spectrum(star_temperature_k(b_v));
+  std::vector<double> left = above.values();
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    left[i] *= optical_depth(medium, columns, above.wavelengths_nm()[i]).transmittance();
+  }
+  const Xyzs all = integrate_xyzs(above);
+  const Xyzs some = integrate_xyzs({above.wavelengths_nm(), std::move(left)});
+  return {some.x / all.x, some.y / all.y, some.z / all.z, some.s / all.s};
 }
 
 inline StarCatalogue catalogue_of(std::vector<StarRecord> stars) {

@@ -1,6 +1,7 @@
 // shaders/lib on the GPU against the same text compiled as C++ in single precision.
 #include "render/render_fixture.hpp"
 
+#include "vesper/gpu/extinction_texture.hpp"
 #include "vesper/gpu/refraction_texture.hpp"
 
 #include <epoxy/gl.h>
@@ -20,9 +21,10 @@ namespace {
 using Inputs = std::vector<glm::vec4>;
 
 /// Evaluates a GLSL expression of `vec4 v` for every input and returns the vec4 results.
-/// The expression may read a refraction table, a sampler1D named `table`.
+/// The expression may read tables: of refraction, a sampler1D named `table`, and of a plan's extinction, a sampler2D
+/// named `extinction_table`.
 std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inputs& inputs,
-                                       const Refraction& refraction = {}) {
+                                       const Refraction& refraction = {}, const FramePlan& plan = {}) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("vesper_harness_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
@@ -40,6 +42,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/phase.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler1D table; // of refraction
+layout(binding = 1) uniform sampler2D extinction_table;
 layout(std430, binding = 0) readonly buffer In { vec4 inputs[]; };
 layout(std430, binding = 1) writeonly buffer Out { vec4 outputs[]; };
 void main() {
@@ -61,6 +64,9 @@ void main() {
   gpu::RefractionTexture table;
   table.update(refraction);
   table.bind(0);
+  gpu::ExtinctionTexture extinction;
+  extinction.update(plan);
+  extinction.bind(1);
   glUseProgram(program.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, out.name());
@@ -355,6 +361,58 @@ TEST_F(ShaderMathGpu, RefractionAgreesWithItsTwin) {
       // The published formula takes the cotangent of a small angle.
       EXPECT_LT((worst * rad).to(arcsec), model == RefractionModel::published ? 0.05 : 0.01);
     }
+  }
+}
+
+TEST_F(ShaderMathGpu, ExtinctionOfStarsAgreesWithItsTwin) {
+  // Crowded towards the horizon, which lies within; B-V from beyond the bluest to beyond the reddest.
+  Inputs inputs;
+  for (int i = -300; i <= 300; ++i) {
+    const float t = static_cast<float>(i) / 300.0F;
+    for (const float z : {0.0F, 1.0e-4F, 0.02F, 0.3F, 1.0F, 1.7F, 9.0F}) {
+      inputs.emplace_back(t * t * t, z, 0.0F, 0.0F);
+    }
+  }
+  for (const double height_km : {0.0, 12.0}) {
+    SkyState sky = still_sky();
+    sky.observer.height = height_km * kilometre;
+    sky.refraction = standard_refraction(sky.observer.height, Tier::standard);
+    const FramePlan plan = plan_frame(sky, View(), {});
+    const StarExtinction& exact = plan.extinction->table;
+    const f32::StarExtinctionFrame frame{exact.frame.rows,
+                                         exact.frame.columns,
+                                         static_cast<float>(exact.frame.sin_horizon),
+                                         static_cast<float>(exact.frame.width),
+                                         static_cast<float>(exact.frame.rows_per_x),
+                                         static_cast<float>(exact.frame.reddest),
+                                         static_cast<float>(exact.frame.columns_per_hue)};
+    const std::vector<f32::vec4> texels(exact.texels.begin(), exact.texels.end());
+    const f32::sampler2D table{texels.data(), frame.columns, frame.rows};
+    const std::vector<glm::vec4> results = evaluate_on_gpu(
+        fmt::format(
+            "star_extinction(v.x, vec4(1.0, 1.0, v.y, 1.0), StarExtinctionFrame({}, {}, {:.9e}, {:.9e}, {:.9e}, "
+            "{:.9e}, {:.9e}), extinction_table)",
+            frame.rows, frame.columns, frame.sin_horizon, frame.width, frame.rows_per_x, frame.reddest,
+            frame.columns_per_hue),
+        inputs, {}, plan);
+    float worst = 0.0F;
+    double from_doubles = 0.0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const glm::vec4 light(1.0F, 1.0F, inputs[i].y, 1.0F);
+      const f32::vec4 expected = f32::star_extinction(inputs[i].x, light, frame, table);
+      const Vec4 precise = star_extinction(exact, static_cast<double>(inputs[i].x), Vec4(light));
+      for (int c = 0; c < 4; ++c) {
+        ASSERT_GT(results[i][c], 0.0F) << i;
+        ASSERT_LT(results[i][c], 1.0F) << i;
+        worst = std::max(worst, std::abs(results[i][c] / expected[c] - 1.0F));
+        from_doubles = std::max(from_doubles, std::abs(static_cast<double>(results[i][c]) / precise[c] - 1.0));
+      }
+    }
+    std::printf("extinction of stars from %g km: worst relative difference %.1e, %.1e from double precision\n",
+                height_km, static_cast<double>(worst), from_doubles);
+    // Logarithms reach 40, so that a float's rounding of them is some 1e-6 of the light.
+    EXPECT_LT(worst, 5.0e-5F);
+    EXPECT_LT(from_doubles, 1.0e-4);
   }
 }
 
