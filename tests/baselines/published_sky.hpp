@@ -27,8 +27,9 @@ struct PublishedOptions {
 /// the tables are read.
 ///
 /// Its flaws are part of it and stay: the Sun's altitude has 32 values of which few lie in twilight, eight values of nu
-/// smear the glow around the Sun, transmittance between two points is a quotient that loses its digits near the horizon,
-/// the Sun's disc sets by a smoothstep, and orders above the fourth are left out. docs/BASELINES.md says how wrong it is.
+/// smear the glow around the Sun, transmittance between two points is a quotient that loses its digits near the
+/// horizon, the Sun's disc sets by a smoothstep, and orders above the fourth are left out. docs/BASELINES.md says how
+/// wrong it is.
 class PublishedSky {
 public:
   /// \param medium of the shape of published_medium(): its first component scatters with Rayleigh's phase function, the
