@@ -91,8 +91,8 @@ void LightField::solve(const LightFieldSize& size, unsigned threads) {
     const auto add = [&](const std::vector<QuadratureNode>& nodes, double range) {
       for (const QuadratureNode& node : nodes) {
         const double altitude = -depression + range * node.place * node.place;
-        directions.push_back(
-            {std::sin(altitude), 2.0 * pi * std::cos(altitude) * 2.0 * std::abs(range) * node.place * node.weight});
+        directions.emplace_back(std::sin(altitude),
+                                2.0 * pi * std::cos(altitude) * 2.0 * std::abs(range) * node.place * node.weight);
       }
     };
     add(rule_below, -(0.5 * pi - depression));

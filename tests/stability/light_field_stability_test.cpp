@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -80,10 +81,8 @@ TEST(LightFieldStability, AlbedoZeroAndOne) {
 }
 
 TEST(LightFieldStability, RefusesMoreWavelengthsThanItHolds) {
-  std::vector<double> wavelengths;
-  for (int i = 0; i < 65; ++i) {
-    wavelengths.push_back(450.0 + i);
-  }
+  std::vector<double> wavelengths(65);
+  std::iota(wavelengths.begin(), wavelengths.end(), 450.0);
   const SampledAir air(published_medium());
   const SpectralAir optics(published_medium(), wavelengths);
   EXPECT_THROW(LightField(air, optics, small), Error);
