@@ -13,6 +13,11 @@ namespace vesper {
 /// A number that depends on the wavelength in nm. A Spectrum is one too (0 outside its samples).
 using WavelengthLaw = std::function<double(double wavelength_nm)>;
 
+/// The same at all wavelengths.
+[[nodiscard]] inline WavelengthLaw constant_law(double value) {
+  return [value](double) { return value; };
+}
+
 enum class PhaseKind {
   rayleigh,          ///< its parameter is the depolarization, 0 to 6/7
   henyey_greenstein, ///< for this and the following the parameter is the asymmetry, -0.99 to 0.99

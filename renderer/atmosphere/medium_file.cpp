@@ -29,10 +29,6 @@ constexpr Range relative_densities{0.0, 1.0e30}; // also molecules per m3: see t
 constexpr Range depolarizations{0.0, 6.0 / 7.0};
 constexpr Range asymmetries{-0.99, 0.99};
 
-WavelengthLaw constant(double value) {
-  return [value](double) { return value; };
-}
-
 /// Everything that is read under one file's roof.
 class MediumReader {
 public:
@@ -167,7 +163,7 @@ private:
   /// A number for all wavelengths, or a table of them.
   WavelengthLaw numbers_law(const TomlTable& table, std::string_view key, Range range) {
     if (!table.has_table(key)) {
-      return constant(table.number(key, range));
+      return constant_law(table.number(key, range));
     }
     const TomlTable samples = table.table(key);
     samples.allow_only({"wavelengths", "values"});
@@ -176,10 +172,10 @@ private:
 
   WavelengthLaw coefficient_law(const TomlTable& table, std::string_view key) {
     if (!table.has(key)) {
-      return constant(0.0);
+      return constant_law(0.0);
     }
     if (!table.has_table(key)) {
-      return constant(table.quantity(key, QuantityKind::coefficient, coefficients_per_km));
+      return constant_law(table.quantity(key, QuantityKind::coefficient, coefficients_per_km));
     }
     const TomlTable samples = table.table(key);
     samples.allow_only({"wavelengths", "values"});
@@ -301,7 +297,7 @@ private:
             : standard_k;
     const double density = hpa / standard_hpa * (standard_k / kelvin);
     return {std::move(name), profile_of(component, standard_air_profile),
-            [density](double nm) { return density * rayleigh_per_km(nm); }, constant(0.0),
+            [density](double nm) { return density * rayleigh_per_km(nm); }, constant_law(0.0),
             component.has("phase") ? phase_of(component) : PhaseFunction{PhaseKind::rayleigh, air_depolarization}};
   }
 
@@ -330,7 +326,7 @@ private:
     const double km = column_km(component, "ozone", profile);
     return {std::move(name),
             std::move(profile),
-            constant(0.0),
+            constant_law(0.0),
             ozone_absorption_per_km(dobson, km),
             {PhaseKind::rayleigh, air_depolarization}};
   }
@@ -347,7 +343,7 @@ private:
     WavelengthLaw absorption = coefficient_law(component, "absorption");
     return {std::move(name), std::move(profile), std::move(scattering), std::move(absorption),
             scatters || component.has("phase") ? phase_of(component)
-                                               : PhaseFunction{PhaseKind::rayleigh, constant(0.0)}};
+                                               : PhaseFunction{PhaseKind::rayleigh, constant_law(0.0)}};
   }
 
   MediumComponent read_component(const TomlTable& component) {

@@ -21,10 +21,6 @@ namespace {
 constexpr Length ground_radius = 6371.0 * kilometre; // the Earth's mean
 constexpr Length top_radius = ground_radius + 120.0 * kilometre;
 
-WavelengthLaw constant(double value) {
-  return [value](double) { return value; };
-}
-
 /// Samples at the wavelengths of the published models.
 Spectrum red_green_blue(double red, double green, double blue) { return {{440.0, 550.0, 680.0}, {blue, green, red}}; }
 
@@ -53,19 +49,19 @@ std::vector<double> transport_wavelengths_nm() {
 }
 
 Medium published_medium() {
-  const PhaseFunction molecular{PhaseKind::rayleigh, constant(0.0)};
+  const PhaseFunction molecular{PhaseKind::rayleigh, constant_law(0.0)};
   return {6360.0 * kilometre,
           6460.0 * kilometre,
-          constant(0.3),
-          {{"molecules", HeightProfile::exponential(8.0), red_green_blue(5.802e-3, 13.558e-3, 33.1e-3), constant(0.0),
-            molecular},
+          constant_law(0.3),
+          {{"molecules", HeightProfile::exponential(8.0), red_green_blue(5.802e-3, 13.558e-3, 33.1e-3),
+            constant_law(0.0), molecular},
            {"aerosol",
             HeightProfile::exponential(1.2),
             red_green_blue(3.996e-3, 3.996e-3, 3.996e-3),
             red_green_blue(0.444e-3, 0.444e-3, 0.444e-3),
-            {PhaseKind::cornette_shanks, constant(0.8)}},
-           {"ozone", HeightProfile::tent(10.0, 25.0, 40.0), constant(0.0), red_green_blue(0.650e-3, 1.881e-3, 0.085e-3),
-            molecular}},
+            {PhaseKind::cornette_shanks, constant_law(0.8)}},
+           {"ozone", HeightProfile::tent(10.0, 25.0, 40.0), constant_law(0.0),
+            red_green_blue(0.650e-3, 1.881e-3, 0.085e-3), molecular}},
           {440.0, 550.0, 680.0}};
 }
 
@@ -135,21 +131,21 @@ Medium clear_medium(const ClearAir& air) {
   constexpr double high_peak_km = 20.0;
   constexpr double high_to_km = 35.0;
   const WavelengthLaw high_per_km = angstrom(high_depth / (0.5 * (high_to_km - high_from_km)), air);
-  const PhaseFunction droplets{PhaseKind::henyey_greenstein, constant(0.703)};
+  const PhaseFunction droplets{PhaseKind::henyey_greenstein, constant_law(0.703)};
 
   const HeightProfile ozone = standard_ozone_profile();
   const PhaseFunction molecular{PhaseKind::rayleigh, air_depolarization};
 
   return {ground_radius,
           top_radius,
-          constant(air.ground_albedo),
-          {{"molecules", standard_air_profile(), rayleigh_per_km, constant(0.0), molecular},
+          constant_law(air.ground_albedo),
+          {{"molecules", standard_air_profile(), rayleigh_per_km, constant_law(0.0), molecular},
            {"tropospheric aerosol", HeightProfile::exponential(low_scale_km),
             [low_per_km](double nm) { return low_albedo * low_per_km(nm); },
             [low_per_km](double nm) { return (1.0 - low_albedo) * low_per_km(nm); }, droplets},
            {"stratospheric aerosol", HeightProfile::tent(high_from_km, high_peak_km, high_to_km), high_per_km,
-            constant(0.0), droplets},
-           {"ozone", ozone, constant(0.0),
+            constant_law(0.0), droplets},
+           {"ozone", ozone, constant_law(0.0),
             ozone_absorption_per_km(air.ozone_dobson, zenith_column_km(ozone, ground_radius, top_radius)), molecular}},
           transport_wavelengths_nm()};
 }

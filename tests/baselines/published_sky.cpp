@@ -45,6 +45,17 @@ template <class Work> void each(int count, Work&& work) {
   });
 }
 
+/// Runs work(r, mu, mu_s, nu) for each texel of a table of scattering on all cores.
+template <class Work> void each_texel(const TableSizes& sizes, Work&& work) {
+  each(sizes.scattering_r * sizes.scattering_mu, [&](int row) {
+    for (int mu_s = 0; mu_s < sizes.scattering_mu_s; ++mu_s) {
+      for (int nu = 0; nu < sizes.scattering_nu; ++nu) {
+        work(row / sizes.scattering_mu, row % sizes.scattering_mu, mu_s, nu);
+      }
+    }
+  });
+}
+
 /// Calls visit(distance, step) at the ends of equal steps, by the trapezoidal rule.
 template <class Visit> void trapezoids(float length, int steps, Visit&& visit) {
   const float step = length / static_cast<float>(steps);
@@ -91,16 +102,9 @@ PublishedSky::PublishedSky(const Medium& medium, const PublishedOptions& options
     PlaneTable next_ground = indirect_irradiance(source);
     multiple_scattering(density, previous);
     ground = std::move(next_ground);
-    each(sizes_.scattering_r, [&](int r) {
-      for (int mu = 0; mu < sizes_.scattering_mu; ++mu) {
-        for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
-          for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-            const ScatteringPlace here = place(r, mu, mu_s, nu);
-            const std::size_t i = molecules_.index(r, mu, mu_s, nu);
-            molecules_.store(i, molecules_[i] + previous[i] / rayleigh(here.nu));
-          }
-        }
-      }
+    each_texel(sizes_, [&](int r, int mu, int mu_s, int nu) {
+      const std::size_t i = molecules_.index(r, mu, mu_s, nu);
+      molecules_.store(i, molecules_[i] + previous[i] / rayleigh(place(r, mu, mu_s, nu).nu));
     });
   }
 }
@@ -177,28 +181,22 @@ PlaneTable PublishedSky::direct_irradiance() const {
 }
 
 void PublishedSky::single_scattering(ScatteringTable& molecules, ScatteringTable& aerosol) const {
-  each(sizes_.scattering_r * sizes_.scattering_mu, [&](int row) {
-    const int r = row / sizes_.scattering_mu;
-    const int mu = row % sizes_.scattering_mu;
-    for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
-      for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-        const ScatteringPlace from = place(r, mu, mu_s, nu);
-        Rgb by_molecules(0.0F);
-        Rgb by_aerosol(0.0F);
-        trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
-                   [&](float distance, float step) {
-                     const ScatteringPlace there = after(from, distance, shell_);
-                     const Rgb arriving = step * transmittance(from.r, from.mu, distance, from.meets_ground) *
-                                          sunlight(there.r, there.mu_s);
-                     const double height_km = there.r - shell_.ground_km;
-                     by_molecules += static_cast<float>(profiles_[0].at(height_km)) * arriving;
-                     by_aerosol += static_cast<float>(profiles_[1].at(height_km)) * arriving;
-                   });
-        const std::size_t i = molecules.index(r, mu, mu_s, nu);
-        molecules.store(i, by_molecules * solar_irradiance * molecules_per_km_);
-        aerosol.store(i, by_aerosol * solar_irradiance * aerosol_per_km_);
-      }
-    }
+  each_texel(sizes_, [&](int r, int mu, int mu_s, int nu) {
+    const ScatteringPlace from = place(r, mu, mu_s, nu);
+    Rgb by_molecules(0.0F);
+    Rgb by_aerosol(0.0F);
+    trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
+               [&](float distance, float step) {
+                 const ScatteringPlace there = after(from, distance, shell_);
+                 const Rgb arriving =
+                     step * transmittance(from.r, from.mu, distance, from.meets_ground) * sunlight(there.r, there.mu_s);
+                 const double height_km = there.r - shell_.ground_km;
+                 by_molecules += static_cast<float>(profiles_[0].at(height_km)) * arriving;
+                 by_aerosol += static_cast<float>(profiles_[1].at(height_km)) * arriving;
+               });
+    const std::size_t i = molecules.index(r, mu, mu_s, nu);
+    molecules.store(i, by_molecules * solar_irradiance * molecules_per_km_);
+    aerosol.store(i, by_aerosol * solar_irradiance * aerosol_per_km_);
   });
 }
 
@@ -314,22 +312,16 @@ void PublishedSky::scattering_density(const Order& order, ScatteringTable& densi
 }
 
 void PublishedSky::multiple_scattering(const ScatteringTable& density, ScatteringTable& light) const {
-  each(sizes_.scattering_r * sizes_.scattering_mu, [&](int row) {
-    const int r = row / sizes_.scattering_mu;
-    const int mu = row % sizes_.scattering_mu;
-    for (int mu_s = 0; mu_s < sizes_.scattering_mu_s; ++mu_s) {
-      for (int nu = 0; nu < sizes_.scattering_nu; ++nu) {
-        const ScatteringPlace from = place(r, mu, mu_s, nu);
-        Rgb sum(0.0F);
-        trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
-                   [&](float distance, float step) {
-                     const ScatteringTexel texel = scattering_texel(shell_, sizes_, after(from, distance, shell_));
-                     sum += step * transmittance(from.r, from.mu, distance, from.meets_ground) *
-                            density.at(density.corners(texel), texel.nu);
-                   });
-        light.store(light.index(r, mu, mu_s, nu), sum);
-      }
-    }
+  each_texel(sizes_, [&](int r, int mu, int mu_s, int nu) {
+    const ScatteringPlace from = place(r, mu, mu_s, nu);
+    Rgb sum(0.0F);
+    trapezoids(shell_.to_edge_km(from.r, from.mu, from.meets_ground), scattering_steps,
+               [&](float distance, float step) {
+                 const ScatteringTexel texel = scattering_texel(shell_, sizes_, after(from, distance, shell_));
+                 sum += step * transmittance(from.r, from.mu, distance, from.meets_ground) *
+                        density.at(density.corners(texel), texel.nu);
+               });
+    light.store(light.index(r, mu, mu_s, nu), sum);
   });
 }
 

@@ -3,6 +3,8 @@
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 
+#include "support/media.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,15 +47,6 @@ void expect_possible_everywhere(const Medium& medium, const std::string& name) {
   }
 }
 
-Medium scaled(double factor) {
-  Medium medium = published_medium();
-  for (MediumComponent& part : medium.components) {
-    part.scattering_per_km = [law = part.scattering_per_km, factor](double nm) { return factor * law(nm); };
-    part.absorption_per_km = [law = part.absorption_per_km, factor](double nm) { return factor * law(nm); };
-  }
-  return medium;
-}
-
 TEST(LightFieldStability, BothPresets) {
   expect_possible_everywhere(published_medium(), "published");
   expect_possible_everywhere(clear_medium(), "clear");
@@ -68,8 +61,8 @@ TEST(LightFieldStability, AsymmetriesFromMinus099To099) {
 }
 
 TEST(LightFieldStability, NoAirAndAHundredTimesTheAir) {
-  expect_possible_everywhere(scaled(0.0), "no air");
-  expect_possible_everywhere(scaled(100.0), "a hundredfold");
+  expect_possible_everywhere(test::scaled(published_medium(), 0.0), "no air");
+  expect_possible_everywhere(test::scaled(published_medium(), 100.0), "a hundredfold");
 }
 
 TEST(LightFieldStability, AlbedoZeroAndOne) {

@@ -17,15 +17,11 @@ namespace {
 const Vec3 zenith(0.0, 0.0, 1.0);
 const Vec3 level(1.0, 0.0, 0.0);
 
-WavelengthLaw always(double value) {
-  return [value](double) { return value; };
-}
-
 Medium single(const HeightProfile& profile, double per_km) {
   return {6360.0 * kilometre,
           6460.0 * kilometre,
-          always(0.0),
-          {{"one", profile, always(per_km), always(0.0), {PhaseKind::rayleigh, always(0.0)}}},
+          constant_law(0.0),
+          {{"one", profile, constant_law(per_km), constant_law(0.0), {PhaseKind::rayleigh, constant_law(0.0)}}},
           {550.0}};
 }
 
@@ -174,7 +170,7 @@ TEST(MediumBadInput, IsRefused) {
   EXPECT_THROW((void)clear_medium({0.1, 0.005, 1.3, 300.0, 1.1}), Error);
   EXPECT_THROW(validate(single(HeightProfile::exponential(8.0), -1.0), 550.0), Error);
   Medium wrong = published_medium();
-  wrong.components[1].phase.parameter = always(1.0);
+  wrong.components[1].phase.parameter = constant_law(1.0);
   EXPECT_THROW(validate(wrong, 550.0), Error);
   wrong = published_medium();
   wrong.top_radius = wrong.ground_radius;

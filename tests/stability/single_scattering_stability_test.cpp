@@ -4,6 +4,8 @@
 #include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/base/error.hpp"
 
+#include "support/media.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,10 +20,6 @@ namespace {
 const Vec3 zenith(0.0, 0.0, 1.0);
 const Vec3 level(1.0, 0.0, 0.0);
 
-WavelengthLaw always(double value) {
-  return [value](double) { return value; };
-}
-
 Vec3 toward(double altitude_rad) { return {std::cos(altitude_rad), 0.0, std::sin(altitude_rad)}; }
 
 double radiance(const Medium& medium, double height_km, const Vec3& light, const Vec3& view) {
@@ -32,18 +30,9 @@ double radiance(const Medium& medium, double height_km, const Vec3& light, const
   return result.radiance[0];
 }
 
-Medium scaled(Medium medium, double factor) {
-  for (MediumComponent& part : medium.components) {
-    for (WavelengthLaw* law : {&part.scattering_per_km, &part.absorption_per_km}) {
-      *law = [old = *law, factor](double nm) { return factor * old(nm); };
-    }
-  }
-  return medium;
-}
-
 TEST(SingleScatteringStability, EveryDirectionFromEveryHeightUnderEverySun) {
   for (const double factor : {1.0, 100.0}) {
-    const Medium air = scaled(published_medium(), factor);
+    const Medium air = test::scaled(published_medium(), factor);
     for (const double height : {0.0, 1.0e-9, 0.5, 12.0, 99.999999, 100.0, 101.0, 1.0e6}) {
       const double limb = -std::acos(6360.0 / (6360.0 + height));
       for (const double sun : {90.0, 30.0, 0.01, 0.0, -0.01, -5.0, -18.0, -60.0, -90.0}) {
@@ -62,7 +51,7 @@ TEST(SingleScatteringStability, EveryDirectionFromEveryHeightUnderEverySun) {
 TEST(SingleScatteringStability, PeaksOfThePhaseFunction) {
   for (const double g : {-0.99, 0.0, 0.99}) {
     Medium air = published_medium();
-    air.components[1].phase = {PhaseKind::henyey_greenstein, always(g)};
+    air.components[1].phase = {PhaseKind::henyey_greenstein, constant_law(g)};
     const double forward = radiance(air, 0.0, toward(0.3), toward(0.3));
     const double sideways = radiance(air, 0.0, toward(0.3), Vec3(0.0, 0.0, 1.0));
     EXPECT_GT(forward, 0.0);
@@ -75,8 +64,8 @@ TEST(SingleScatteringStability, PeaksOfThePhaseFunction) {
 
 TEST(SingleScatteringStability, NoAirShowsTheGroundOnly) {
   for (const double albedo : {0.0, 1.0}) {
-    Medium air = scaled(published_medium(), 0.0);
-    air.ground_albedo = always(albedo);
+    Medium air = test::scaled(published_medium(), 0.0);
+    air.ground_albedo = constant_law(albedo);
     for (const double height : {0.0, 3.0, 100.0, 5000.0}) {
       EXPECT_EQ(radiance(air, height, toward(0.5), zenith), 0.0);
       EXPECT_NEAR(radiance(air, height, toward(0.5), -zenith), albedo * std::numbers::inv_pi * std::sin(0.5), 1.0e-15);
@@ -89,7 +78,7 @@ TEST(SingleScatteringStability, GroundLightIsProportionalToAlbedo) {
   Medium air = published_medium();
   std::vector<double> down;
   for (const double albedo : {0.0, 0.5, 1.0}) {
-    air.ground_albedo = always(albedo);
+    air.ground_albedo = constant_law(albedo);
     down.push_back(radiance(air, 10.0, toward(0.7), -zenith));
   }
   EXPECT_NEAR(down[1] - down[0], 0.5 * (down[2] - down[0]), 1.0e-12);
@@ -102,9 +91,9 @@ TEST(SingleScatteringStability, LayersWithoutThicknessAndOverlapping) {
   Medium air = base;
   air.components.push_back({"none",
                             HeightProfile::tent(20.0, 20.0, 20.0),
-                            always(1.0),
-                            always(1.0),
-                            {PhaseKind::henyey_greenstein, always(0.5)}});
+                            constant_law(1.0),
+                            constant_law(1.0),
+                            {PhaseKind::henyey_greenstein, constant_law(0.5)}});
   EXPECT_NEAR(radiance(air, 0.0, toward(0.2), zenith), without, 1.0e-9 * without);
   // Two halves of a component in the same place are the whole one.
   air = base;
@@ -115,7 +104,7 @@ TEST(SingleScatteringStability, LayersWithoutThicknessAndOverlapping) {
   EXPECT_NEAR(radiance(air, 0.0, toward(0.2), zenith), without, 1.0e-9 * without);
   // A thin sheet far up in otherwise thin air is not missed, also in twilight.
   for (const double thickness_km : {1.0e-3, 1.0}) {
-    air = scaled(base, 1.0e-9);
+    air = test::scaled(base, 1.0e-9);
     air.components[0].profile =
         HeightProfile::table({60.0, 60.0 + thickness_km}, {1.0, 1.0}, HeightProfile::Between::linear);
     const double expected = air.components[0].scattering_per_km(550.0) * thickness_km;
@@ -127,9 +116,9 @@ TEST(SingleScatteringStability, LayersWithoutThicknessAndOverlapping) {
 
 TEST(SingleScatteringStability, TheShadowIsCutWhereItLies) {
   // Even, all but clear air: what is lit of the zenith's ray is proportional to what is seen.
-  Medium air = scaled(published_medium(), 0.0);
+  Medium air = test::scaled(published_medium(), 0.0);
   air.components[0].profile = HeightProfile::table({0.0, 100.0}, {1.0, 1.0}, HeightProfile::Between::linear);
-  air.components[0].scattering_per_km = always(1.0e-15);
+  air.components[0].scattering_per_km = constant_law(1.0e-15);
   for (const double sun : {-0.001, -0.05, -0.1, -0.17}) {
     const double lit_km = 100.0 - 6360.0 * (1.0 / std::cos(sun) - 1.0);
     const double phase = air.components[0].phase(std::sin(sun), 550.0);
@@ -204,7 +193,7 @@ TEST(SingleScatteringBadInput, IsRefused) {
     EXPECT_THROW(ask(0.0, zenith, zenith, {550.0}, error), Error);
   }
   Medium wrong = air;
-  wrong.ground_albedo = always(1.5);
+  wrong.ground_albedo = constant_law(1.5);
   EXPECT_THROW((void)single_scattering(wrong, {0.0 * kilometre, zenith, 0.0 * deg, zenith}, {550.0}), Error);
 }
 

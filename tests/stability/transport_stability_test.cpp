@@ -4,6 +4,8 @@
 #include "vesper/atmosphere/reference_transport.hpp"
 #include "vesper/base/error.hpp"
 
+#include "support/media.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,15 +66,6 @@ void expect_possible_everywhere(const Medium& medium, const std::vector<double>&
   }
 }
 
-Medium scaled(double factor) {
-  Medium medium = published_medium();
-  for (MediumComponent& part : medium.components) {
-    part.scattering_per_km = [law = part.scattering_per_km, factor](double nm) { return factor * law(nm); };
-    part.absorption_per_km = [law = part.absorption_per_km, factor](double nm) { return factor * law(nm); };
-  }
-  return medium;
-}
-
 TEST(TransportStability, BothPresetsFromEverywhere) {
   expect_possible_everywhere(published_medium(), published_medium().wavelengths_nm, "published");
   expect_possible_everywhere(clear_medium(), {360.0, 440.0, 550.0, 680.0, 830.0}, "clear");
@@ -89,7 +82,7 @@ TEST(TransportStability, AsymmetriesFromMinus099To099) {
 }
 
 TEST(TransportStability, NoAirAtAllLeavesTheGround) {
-  const ReferenceTransport transport(scaled(0.0), {550.0});
+  const ReferenceTransport transport(test::scaled(published_medium(), 0.0), {550.0});
   for (const double light : {90.0, 10.0, -1.0}) {
     const double lit = std::max(0.0, std::sin(light * pi / 180.0));
     SkyQuery query{10.0 * kilometre, at_altitude(light), 0.0 * deg, down};
@@ -103,11 +96,12 @@ TEST(TransportStability, NoAirAtAllLeavesTheGround) {
 }
 
 TEST(TransportStability, AHundredTimesTheAir) {
-  expect_possible_everywhere(scaled(100.0), published_medium().wavelengths_nm, "a hundredfold");
+  expect_possible_everywhere(test::scaled(published_medium(), 100.0), published_medium().wavelengths_nm,
+                             "a hundredfold");
   // The ground is out of sight: what a white one and a black one send to the top is the same.
   std::vector<Estimate> back;
   for (const double albedo : {0.0, 1.0}) {
-    Medium medium = scaled(100.0);
+    Medium medium = test::scaled(published_medium(), 100.0);
     medium.ground_albedo = [albedo](double) { return albedo; };
     const ReferenceTransport transport(medium, {440.0});
     PathBudget budget;
