@@ -119,7 +119,9 @@ LightField::Corner LightField::corner(const Place& place, double cos_light_zenit
 LightField::ViewRay LightField::view_ray(double radius_km, double cos_zenith, double growth, double least_km) const {
   const std::size_t count = optics_.size();
   const AirRay ray = air_.ray(radius_km, cos_zenith);
-  ViewRay view{cos_zenith, std::sqrt(std::max(0.0, (1.0 - cos_zenith) * (1.0 + cos_zenith))), {}, {}, false, {}, {}};
+  ViewRay view;
+  view.cos_zenith = cos_zenith;
+  view.sin_zenith = std::sqrt(std::max(0.0, (1.0 - cos_zenith) * (1.0 + cos_zenith)));
   const auto step_at = [&](double place_km) {
     const double along_km = place_km - ray.origin_km;
     const double r = ray.radius_km(place_km);
@@ -184,7 +186,7 @@ double LightField::visible_light(double radius_km, double cos_light_zenith, doub
 }
 
 void LightField::add_direct(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                            double radius_rad, float* radiance) const {
+                            double radius_rad, float* by_molecules, float* by_aerosol) const {
   const std::size_t count = optics_.size();
   const std::size_t components = air_.component_count();
   const double cos_angle = ray.cos_zenith * cos_light_zenith + ray.sin_zenith * sin_light_zenith * cos_azimuth;
@@ -219,6 +221,7 @@ void LightField::add_direct(const ViewRay& ray, double cos_light_zenith, double 
     }
     const float* weights = &ray.weights[i * (2 + components) * lanes_];
     for (std::size_t c = 0; c < components; ++c) {
+      float* radiance = molecular_[c] ? by_molecules : by_aerosol;
       for (std::size_t l = 0; l < count; ++l) {
         radiance[l] += weights[(2 + c) * lanes_ + l] * phase[c][l] * light[l];
       }
@@ -228,7 +231,7 @@ void LightField::add_direct(const ViewRay& ray, double cos_light_zenith, double 
     const auto cosine = static_cast<float>(ray.ground.from_vertical * cos_light_zenith +
                                            ray.ground.from_level * sin_light_zenith * cos_azimuth);
     for (std::size_t l = 0; l < count; ++l) {
-      radiance[l] += ray.ground_weights[l] * std::max(0.0F, cosine) * light[l];
+      by_molecules[l] += ray.ground_weights[l] * std::max(0.0F, cosine) * light[l];
     }
   }
 }
@@ -313,21 +316,34 @@ void LightField::add_scattered(const ViewRay& ray, double cos_light_zenith, doub
   }
 }
 
+LightField::ViewRay LightField::view_ray(double radius_km, double cos_zenith) const {
+  return view_ray(radius_km, cos_zenith, 0.04, 0.1);
+}
+
+LightField::RayLight LightField::light(const ViewRay& ray, double cos_light_zenith, double cos_azimuth,
+                                       Angle light_angular_radius) const {
+  const double sin_light = std::sqrt(std::max(0.0, (1.0 - cos_light_zenith) * (1.0 + cos_light_zenith)));
+  RayLight light;
+  add_direct(ray, cos_light_zenith, sin_light, cos_azimuth, light_angular_radius.to(rad), light.other.data(),
+             light.single_aerosol.data());
+  add_scattered(ray, cos_light_zenith, sin_light, cos_azimuth, light.other.data());
+  return light;
+}
+
 std::vector<double> LightField::radiance(const SkyQuery& query) const {
   validate(query);
-  const double radius_km = air_.ground_km() + query.height.to(kilometre);
-  const ViewRay ray = view_ray(radius_km, query.view_direction.z, 0.04, 0.1);
-  const Vec3& light = query.light_direction;
-  const double sin_light = std::hypot(light.x, light.y);
-  const double level = sin_light * ray.sin_zenith;
+  const Vec3& toward = query.light_direction;
+  const Vec3& view = query.view_direction;
+  const double level = std::hypot(toward.x, toward.y) * std::hypot(view.x, view.y);
   const double cos_azimuth =
-      level > 1.0e-9
-          ? std::clamp((light.x * query.view_direction.x + light.y * query.view_direction.y) / level, -1.0, 1.0)
-          : 1.0;
-  std::array<float, most_wavelengths> radiance{};
-  add_direct(ray, light.z, sin_light, cos_azimuth, query.light_angular_radius.to(rad), radiance.data());
-  add_scattered(ray, light.z, sin_light, cos_azimuth, radiance.data());
-  return {radiance.begin(), radiance.begin() + static_cast<std::ptrdiff_t>(optics_.size())};
+      level > 1.0e-9 ? std::clamp((toward.x * view.x + toward.y * view.y) / level, -1.0, 1.0) : 1.0;
+  const RayLight parts = light(view_ray(air_.ground_km() + query.height.to(kilometre), view.z), toward.z, cos_azimuth,
+                               query.light_angular_radius);
+  std::vector<double> radiance;
+  for (std::size_t l = 0; l < optics_.size(); ++l) {
+    radiance.push_back(static_cast<double>(parts.single_aerosol[l] + parts.other[l]));
+  }
+  return radiance;
 }
 
 std::vector<double> LightField::diffuse_irradiance(double cos_light_zenith) const {

@@ -46,6 +46,21 @@ public:
   /// Irradiance of level ground by scattered light.
   [[nodiscard]] std::vector<double> diffuse_irradiance(double cos_light_zenith) const;
 
+  /// A ray toward an observer, with what does not depend on where the light stands.
+  class ViewRay;
+  /// \param radius_km of the observer from the planet's centre, any not below the ground
+  [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith) const;
+
+  /// Radiance, 1/sr, by wavelength; behind the last of the optics' wavelengths without meaning.
+  using Spectrum = std::array<float, most_wavelengths>;
+  struct RayLight {
+    Spectrum single_aerosol{}; ///< scattered once, by what is no molecule
+    Spectrum other{};          ///< all the rest
+  };
+  /// Radiance along the ray; the light's azimuth is counted from the ray's.
+  [[nodiscard]] RayLight light(const ViewRay& ray, double cos_light_zenith, double cos_azimuth,
+                               Angle light_angular_radius) const;
+
 private:
   // The moments of a place, over axes z to the zenith and x to the light's azimuth: the logarithm to base 2 of the mean
   // radiance over the sphere, and the means of products of direction cosines, weighted by radiance.
@@ -74,17 +89,6 @@ private:
     double from_level;
   };
 
-  /// What sources along a ray send to its origin.
-  struct ViewRay {
-    double cos_zenith;
-    double sin_zenith;
-    std::vector<Step> steps;
-    /// A step: molecules' and aerosol's scattering, then that of each component; lanes each.
-    std::vector<float> weights;
-    bool meets_ground = false;
-    Step ground{};
-    std::vector<float> ground_weights; ///< transmittance times albedo over pi
-  };
   struct Corner {
     std::size_t node; ///< of the lower height and angle
     float height_fraction;
@@ -97,7 +101,7 @@ private:
   [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith, double growth, double least_km) const;
   [[nodiscard]] double visible_light(double radius_km, double cos_light_zenith, double light_radius_rad) const;
   void add_direct(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                  double light_radius_rad, float* radiance) const;
+                  double light_radius_rad, float* by_molecules, float* by_aerosol) const;
   void add_scattered(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
                      float* radiance) const;
   [[nodiscard]] double dip(double radius_km) const;
@@ -119,6 +123,19 @@ private:
   std::vector<float> aerosol_; ///< logarithm to base 2 of J below, by height, angle, direction, wavelength
   std::vector<float> field_;   ///< by height, angle, moment, wavelength
   std::vector<float> ground_;  ///< logarithm to base 2 of the ground's diffuse irradiance, by angle and wavelength
+};
+
+/// What sources along a ray send to its origin.
+class LightField::ViewRay {
+  friend LightField;
+  double cos_zenith = 1.0;
+  double sin_zenith = 0.0;
+  std::vector<Step> steps;
+  /// A step: molecules' and aerosol's scattering, then that of each component; lanes each.
+  std::vector<float> weights;
+  bool meets_ground = false;
+  Step ground{};
+  std::vector<float> ground_weights; ///< transmittance times albedo over pi
 };
 
 } // namespace vesper
