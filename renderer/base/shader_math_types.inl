@@ -6,6 +6,8 @@ using ivec2 = glm::ivec2;
 using mat3 = glm::mat<3, 3, Real>;
 using mat4 = glm::mat<4, 4, Real>;
 using uint = unsigned int;
+/// Light at four wavelengths.
+using Light = std::conditional_t<std::is_same_v<Real, float>, Lanes, vec4>;
 using PReal = Real;
 using PVec2 = vec2;
 using PVec3 = vec3;
@@ -62,3 +64,15 @@ inline vec4 texelFetch(sampler2D texture, ivec2 texel, int /*level*/) { // NOLIN
              ? texture.texels[texel.y * texture.width + texel.x]
              : vec4(Real(0));
 }
+
+/// Lights in memory, `stride` apart: tables of more wavelengths than four hold a place's together.
+struct LightTable {
+  const Light* lights = nullptr;
+  std::ptrdiff_t stride = 1;
+};
+inline Light fetch_light(LightTable table, int i) { return table.lights[i * table.stride]; }
+
+struct RealTable {
+  const Real* numbers = nullptr;
+};
+inline Real fetch_real(RealTable table, int i) { return table.numbers[i]; }

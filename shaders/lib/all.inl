@@ -9,3 +9,4 @@
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/phase.glsl"
+#include "vesper/shaders/lib/light_field.glsl"
