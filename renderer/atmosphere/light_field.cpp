@@ -186,7 +186,7 @@ double LightField::visible_light(double radius_km, double cos_light_zenith, doub
 }
 
 void LightField::add_direct(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                            double radius_rad, float* by_molecules, float* by_aerosol) const {
+                            double radius_rad, float* by_molecules, float* by_aerosol, float* by_ground) const {
   const std::size_t count = optics_.size();
   const std::size_t components = air_.component_count();
   const double cos_angle = ray.cos_zenith * cos_light_zenith + ray.sin_zenith * sin_light_zenith * cos_azimuth;
@@ -231,13 +231,13 @@ void LightField::add_direct(const ViewRay& ray, double cos_light_zenith, double 
     const auto cosine = static_cast<float>(ray.ground.from_vertical * cos_light_zenith +
                                            ray.ground.from_level * sin_light_zenith * cos_azimuth);
     for (std::size_t l = 0; l < count; ++l) {
-      by_molecules[l] += ray.ground_weights[l] * std::max(0.0F, cosine) * light[l];
+      by_ground[l] += ray.ground_weights[l] * std::max(0.0F, cosine) * light[l];
     }
   }
 }
 
 void LightField::add_scattered(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                               float* radiance) const {
+                               float* by_air, float* by_ground) const {
   const std::size_t lanes = lanes_;
   const std::size_t node_stride = moments * lanes;
   const std::size_t row_stride = angle_cos_.size() * node_stride;
@@ -279,7 +279,7 @@ void LightField::add_scattered(const ViewRay& ray, double cos_light_zenith, doub
       const float rxx = between(xx, l);
       const float rzz = between(zz, l);
       const float second = vx * vx * rxx + vz * vz * rzz + vyy * (1.0F - rxx - rzz) + 2.0F * vx * vz * between(xz, l);
-      radiance[l] += mean * weights[l] * (1.0F + 5.0F * second_moment_[l] * (1.5F * second - 0.5F));
+      by_air[l] += mean * weights[l] * (1.0F + 5.0F * second_moment_[l] * (1.5F * second - 0.5F));
     }
     const float* aerosol = weights + lanes;
     if (*std::max_element(aerosol, aerosol + lanes) == 0.0F) {
@@ -303,7 +303,7 @@ void LightField::add_scattered(const ViewRay& ray, double cos_light_zenith, doub
       }
     }
     for (std::size_t l = 0; l < lanes; ++l) {
-      radiance[l] += aerosol[l] * exp2_fast(source[l]);
+      by_air[l] += aerosol[l] * exp2_fast(source[l]);
     }
   }
   if (ray.meets_ground) {
@@ -311,7 +311,7 @@ void LightField::add_scattered(const ViewRay& ray, double cos_light_zenith, doub
                                            ray.ground.from_level * sin_light_zenith * cos_azimuth);
     const float* low = &ground_[at.node * lanes];
     for (std::size_t l = 0; l < lanes; ++l) {
-      radiance[l] += ray.ground_weights[l] * exp2_fast(low[l] + at.angle_fraction * (low[l + lanes] - low[l]));
+      by_ground[l] += ray.ground_weights[l] * exp2_fast(low[l] + at.angle_fraction * (low[l + lanes] - low[l]));
     }
   }
 }
@@ -325,8 +325,8 @@ LightField::RayLight LightField::light(const ViewRay& ray, double cos_light_zeni
   const double sin_light = std::sqrt(std::max(0.0, (1.0 - cos_light_zenith) * (1.0 + cos_light_zenith)));
   RayLight light;
   add_direct(ray, cos_light_zenith, sin_light, cos_azimuth, light_angular_radius.to(rad), light.other.data(),
-             light.single_aerosol.data());
-  add_scattered(ray, cos_light_zenith, sin_light, cos_azimuth, light.other.data());
+             light.single_aerosol.data(), light.ground.data());
+  add_scattered(ray, cos_light_zenith, sin_light, cos_azimuth, light.other.data(), light.ground.data());
   return light;
 }
 
@@ -341,7 +341,7 @@ std::vector<double> LightField::radiance(const SkyQuery& query) const {
                                query.light_angular_radius);
   std::vector<double> radiance;
   for (std::size_t l = 0; l < optics_.size(); ++l) {
-    radiance.push_back(static_cast<double>(parts.single_aerosol[l] + parts.other[l]));
+    radiance.push_back(static_cast<double>(parts.single_aerosol[l] + parts.other[l] + parts.ground[l]));
   }
   return radiance;
 }

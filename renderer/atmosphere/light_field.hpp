@@ -55,7 +55,8 @@ public:
   using Spectrum = std::array<float, most_wavelengths>;
   struct RayLight {
     Spectrum single_aerosol{}; ///< scattered once, by what is no molecule
-    Spectrum other{};          ///< all the rest
+    Spectrum other{};          ///< all other light from the air
+    Spectrum ground{};         ///< what the ground at the ray's far end sends through the air
   };
   /// Radiance along the ray; the light's azimuth is counted from the ray's.
   [[nodiscard]] RayLight light(const ViewRay& ray, double cos_light_zenith, double cos_azimuth,
@@ -101,9 +102,9 @@ private:
   [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith, double growth, double least_km) const;
   [[nodiscard]] double visible_light(double radius_km, double cos_light_zenith, double light_radius_rad) const;
   void add_direct(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                  double light_radius_rad, float* by_molecules, float* by_aerosol) const;
+                  double light_radius_rad, float* by_molecules, float* by_aerosol, float* by_ground) const;
   void add_scattered(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                     float* radiance) const;
+                     float* by_air, float* by_ground) const;
   [[nodiscard]] double dip(double radius_km) const;
   [[nodiscard]] static double zenith_place(double altitude_rad, double dip_rad);
   [[nodiscard]] static double node_altitude(std::size_t zenith_node, double dip_rad);

@@ -202,7 +202,7 @@ void LightField::solve(const LightFieldSize& size, unsigned threads) {
   make_rays(0.4 * size.step_growth, 0.4 * size.least_step_km);
   each_node(
       [&](const ViewRay& ray, double cos_light, double sin_light, double cos_azimuth, float* own, float* radiance) {
-        add_direct(ray, cos_light, sin_light, cos_azimuth, light_radius_rad, own, own);
+        add_direct(ray, cos_light, sin_light, cos_azimuth, light_radius_rad, own, own, own);
         std::copy_n(own, lanes, radiance);
       });
   make_rays(size.step_growth, size.least_step_km);
@@ -210,7 +210,7 @@ void LightField::solve(const LightFieldSize& size, unsigned threads) {
     each_node([&](const ViewRay& ray, double cos_light, double sin_light, double cos_azimuth, const float* own,
                   float* radiance) {
       std::copy_n(own, lanes, radiance);
-      add_scattered(ray, cos_light, sin_light, cos_azimuth, radiance);
+      add_scattered(ray, cos_light, sin_light, cos_azimuth, radiance, radiance);
     });
   }
 }

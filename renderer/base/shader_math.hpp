@@ -5,6 +5,8 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+
 #define CONSTANT inline constexpr
 #define FN inline
 #define OUT(T) T&
