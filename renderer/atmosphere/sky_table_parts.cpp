@@ -48,7 +48,8 @@ std::vector<f32::vec4> transmittance_table(const SampledAir& air,
       rows, 1,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin * columns; k < end * columns; ++k) {
-          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
+          const std::size_t row = k / columns;
+          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
           const double height_km = (air.top_km() - ground_km) * share * share;
           const double dip = std::acos(ground_km / (ground_km + height_km));
           const auto altitude = static_cast<double>(

@@ -117,7 +117,7 @@ private:
 
   void fill_ground(const LightField& field) {
     for (int i = 0; i < tables_.frame.lights; ++i) {
-      const double altitude = static_cast<double>(f32::sky_node_light_rad(i, tables_.frame));
+      const auto altitude = static_cast<double>(f32::sky_node_light_rad(i, tables_.frame));
       tables_.ground.push_back(log2_of(responses(field.diffuse_irradiance(std::sin(altitude))), darkest_log2));
     }
   }
@@ -158,7 +158,7 @@ private:
     const LightField::ViewRay ray = field.view_ray(air_.ground_km() + static_cast<double>(height_km), std::sin(view));
     const float path_share = f32::sky_path_share(height_km, altitude, below, frame);
     for (int l = 0; l < frame.lights; ++l) {
-      const double light = static_cast<double>(f32::sky_node_light_rad(l, frame));
+      const auto light = static_cast<double>(f32::sky_node_light_rad(l, frame));
       for (int k = 0; k < f32::sky_azimuths; ++k, ++texel) {
         const double cos_azimuth = std::cos(pi * k / (f32::sky_azimuths - 1));
         const LightField::RayLight seen = field.light(ray, std::sin(light), cos_azimuth, mean_light_radius);
