@@ -57,7 +57,7 @@ double zenith_extinction(const ReportedScene& scene) {
   return zenith_extinction_v_mag(scene.air.medium(), height_in_air(scene.sky.observer), solar_irradiance_1au());
 }
 
-constexpr std::array columns_of_light{
+constexpr std::array columns{
     SceneColumn{"zenith_extinction_v_mag", zenith_extinction},
     SceneColumn{"horizontal_illuminance_lux", horizontal_illuminance_lux, true},
     SceneColumn{"zenith_luminance_cd_m2", zenith_luminance_cd_m2, true},
@@ -65,6 +65,6 @@ constexpr std::array columns_of_light{
 
 } // namespace
 
-std::span<const SceneColumn> light_columns() { return columns_of_light; }
+std::span<const SceneColumn> light_columns() { return columns; }
 
 } // namespace vesper
