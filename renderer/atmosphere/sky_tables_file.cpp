@@ -1,5 +1,6 @@
 #include "vesper/atmosphere/sky_tables_file.hpp"
 
+#include "vesper/base/data_folders.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/sha256.hpp"
 
@@ -192,6 +193,11 @@ std::string sky_tables_file_name(std::string_view fingerprint) {
 
 SkyTables read_sky_tables(const std::filesystem::path& path, std::string_view fingerprint) {
   return decode_sky_tables(read_file(path), path.string(), fingerprint);
+}
+
+std::optional<SkyTables> installed_sky_tables(std::string_view fingerprint) {
+  const std::filesystem::path path = find_data_file(sky_tables_file_name(fingerprint));
+  return path.empty() ? std::nullopt : std::optional(read_sky_tables(path, fingerprint));
 }
 
 void write_sky_tables(const std::filesystem::path& path, const SkyTables& tables, std::string_view fingerprint) {

@@ -9,6 +9,7 @@
 #include "vesper/base/files.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,6 +35,9 @@ namespace vesper {
 
 /// Throws Error(file), too, where the file cannot be read.
 [[nodiscard]] SkyTables read_sky_tables(const std::filesystem::path& path, std::string_view fingerprint);
+/// The tables that came with the library (data_folders.hpp), if there are any of that fingerprint. Throws as
+/// read_sky_tables does.
+[[nodiscard]] std::optional<SkyTables> installed_sky_tables(std::string_view fingerprint);
 /// Puts the file in its place whole or not at all. Throws Error(file).
 void write_sky_tables(const std::filesystem::path& path, const SkyTables& tables, std::string_view fingerprint);
 

@@ -1,4 +1,5 @@
 #include "support/folder_test.hpp"
+#include "support/numbered_tables.hpp"
 
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/sky_tables_file.hpp"
@@ -17,27 +18,6 @@ namespace {
 
 constexpr SkyTableSize smallest{2, 2, 2, 2};
 const std::string made_from(64, 'a');
-
-/// Tables of the smallest size whose texels are all different.
-SkyTables numbered_tables() {
-  SkyTables tables;
-  tables.frame = {6371.0F, 6471.0F, 2, 2, 3, 2};
-  tables.transmittance_frame = {4, 2};
-  tables.light = {1.0F, 1.0F, 0.9F, 2.5F};
-  tables.albedo = {0.3F, 0.3F, 0.2F, 0.3F};
-  float number = -20.0F;
-  const auto fill = [&](std::vector<f32::vec4>& texels, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i, number += 0.125F) {
-      texels.emplace_back(number, number + 0.01F, number + 0.02F, number + 0.03F);
-    }
-  };
-  fill(tables.aerosol, 2 * 5 * 2 * f32::sky_azimuths);
-  fill(tables.other, 2 * 5 * 2 * f32::sky_azimuths);
-  fill(tables.ground, 2);
-  fill(tables.phase, 5);
-  fill(tables.transmittance, 8);
-  return tables;
-}
 
 /// The bytes as a forger would leave them: altered, with a digest that fits.
 void sign(Bytes& bytes) {
