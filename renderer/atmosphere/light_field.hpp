@@ -47,7 +47,7 @@ public:
   [[nodiscard]] std::vector<double> diffuse_irradiance(double cos_light_zenith) const;
 
   /// A ray toward an observer, with what does not depend on where the light stands.
-  class ViewRay;
+  struct ViewRay;
   /// \param radius_km of the observer from the planet's centre, any not below the ground
   [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith) const;
 
@@ -127,8 +127,7 @@ private:
 };
 
 /// What sources along a ray send to its origin.
-class LightField::ViewRay {
-  friend LightField;
+struct LightField::ViewRay {
   double cos_zenith = 1.0;
   double sin_zenith = 0.0;
   std::vector<Step> steps;

@@ -1,4 +1,5 @@
 #include "vesper/atmosphere/light_field.hpp"
+#include "vesper/atmosphere/sky_table_parts.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
@@ -18,9 +19,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr Angle light_radius = 0.2666 * deg; ///< of Sun and Moon
-constexpr int phase_nodes = 256;
-constexpr f32::SkyTransmittanceFrame transmittance_nodes{96, 48};
 /// Logarithms to base 2 of what is dark; and of the least share that light scattered once by aerosol is given of the
 /// other light, so that a shadow's edge is no cliff that interpolation overshoots.
 constexpr float darkest_log2 = -100.0F;
@@ -41,14 +39,6 @@ std::vector<double> table_wavelengths(const Medium& medium) {
 f32::vec4 to_vec4(const Xyzs& light) {
   return {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z),
           static_cast<float>(light.s)};
-}
-
-f32::vec4 log2_of(const f32::vec4& light, float least_log2) {
-  f32::vec4 result;
-  for (int i = 0; i < 4; ++i) {
-    result[i] = light[i] > 0.0F ? std::max(std::log2(light[i]), least_log2) : least_log2;
-  }
-  return result;
 }
 
 void validate(const SkyTableSize& size) {
@@ -78,7 +68,7 @@ public:
   }
 
   SkyTables operator()() {
-    fill_phase();
+    tables_.phase = aerosol_phase_table(air_, optics_);
     fill_transmittance();
     const LightField field(air_, optics_, {}, threads_);
     report(0.5);
@@ -106,68 +96,28 @@ private:
     }
   }
 
-  /// Weighted by what each component scatters at the green wavelength, from the ground to space.
-  void fill_phase() {
-    const auto& wavelengths = optics_.wavelengths_nm();
-    const auto green = static_cast<std::size_t>(
-        std::min_element(wavelengths.begin(), wavelengths.end(),
-                         [](double a, double b) { return std::abs(a - 550.0) < std::abs(b - 550.0); }) -
-        wavelengths.begin());
-    const SampledAir::PerComponent columns =
-        air_.columns_to_space(air_.ray(air_.ground_km(), 1.0), [](const auto&) { return false; });
-    for (int i = 0; i < phase_nodes; ++i) {
-      const double place = static_cast<double>(i) / (phase_nodes - 1);
-      double sum = 0.0;
-      double all = 0.0;
-      for (std::size_t c = 0; c < air_.component_count(); ++c) {
-        if (optics_.phase_kind(c) != PhaseKind::rayleigh) {
-          const double scattering = columns[c] * optics_.scattering_per_km(c, green);
-          sum += scattering * optics_.phase(c, green, std::cos(pi * place * place));
-          all += scattering;
-        }
-      }
-      tables_.phase.emplace_back(all > 0.0 ? static_cast<float>(std::log2(sum / all)) : -3.65F, 0.0F, 0.0F, 0.0F);
-    }
-  }
-
   void fill_transmittance() {
-    tables_.transmittance_frame = transmittance_nodes;
-    tables_.transmittance.resize(static_cast<std::size_t>(transmittance_nodes.altitudes * transmittance_nodes.heights));
+    tables_.transmittance_frame = sky_transmittance_nodes;
+    tables_.transmittance = transmittance_table(
+        air_,
+        [&](const SampledAir::PerComponent& columns) {
+          std::vector<double> left(optics_.size());
+          for (std::size_t l = 0; l < optics_.size(); ++l) {
+            left[l] = std::exp(-optics_.optical_depth(columns, l));
+          }
+          return log2_of(responses(left) / tables_.light, darkest_log2);
+        },
+        threads_);
     std::vector<double> albedo;
     for (std::size_t l = 0; l < optics_.size(); ++l) {
       albedo.push_back(optics_.albedo(l));
     }
     tables_.albedo = responses(albedo) / tables_.light;
-    parallel_for(
-        static_cast<std::size_t>(transmittance_nodes.heights), 1,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i) {
-            const double share = static_cast<double>(i) / (transmittance_nodes.heights - 1);
-            const double height_km = (air_.top_km() - air_.ground_km()) * share * share;
-            const float dip = f32::sky_dip(static_cast<float>(height_km), tables_.frame);
-            for (int j = 0; j < transmittance_nodes.altitudes; ++j) {
-              const double altitude = static_cast<double>(f32::sky_transmittance_node_rad(j, dip, transmittance_nodes));
-              // The horizon itself counts as free.
-              AirRay ray = air_.ray(air_.ground_km() + height_km, std::sin(altitude));
-              if (ray.meets_ground) {
-                ray = air_.ray(air_.ground_km() + height_km, std::sin(altitude + 2.0e-5));
-              }
-              const SampledAir::PerComponent columns = air_.columns_to_space(ray, [](const auto&) { return false; });
-              std::vector<double> left(optics_.size());
-              for (std::size_t l = 0; l < optics_.size(); ++l) {
-                left[l] = std::exp(-optics_.optical_depth(columns, l));
-              }
-              tables_.transmittance[i * transmittance_nodes.altitudes + static_cast<std::size_t>(j)] =
-                  log2_of(responses(left) / tables_.light, darkest_log2);
-            }
-          }
-        },
-        threads_);
   }
 
   void fill_ground(const LightField& field) {
     for (int i = 0; i < tables_.frame.lights; ++i) {
-      const double altitude = static_cast<double>(f32::sky_node_light_rad(i, tables_.frame));
+      const auto altitude = static_cast<double>(f32::sky_node_light_rad(i, tables_.frame));
       tables_.ground.push_back(log2_of(responses(field.diffuse_irradiance(std::sin(altitude))), darkest_log2));
     }
   }
@@ -208,14 +158,14 @@ private:
     const LightField::ViewRay ray = field.view_ray(air_.ground_km() + static_cast<double>(height_km), std::sin(view));
     const float path_share = f32::sky_path_share(height_km, altitude, below, frame);
     for (int l = 0; l < frame.lights; ++l) {
-      const double light = static_cast<double>(f32::sky_node_light_rad(l, frame));
+      const auto light = static_cast<double>(f32::sky_node_light_rad(l, frame));
       for (int k = 0; k < f32::sky_azimuths; ++k, ++texel) {
         const double cos_azimuth = std::cos(pi * k / (f32::sky_azimuths - 1));
-        const LightField::RayLight seen = field.light(ray, std::sin(light), cos_azimuth, light_radius);
+        const LightField::RayLight seen = field.light(ray, std::sin(light), cos_azimuth, mean_light_radius);
         const f32::vec4 other = log2_of(responses(seen.other) / path_share, darkest_log2);
         const double cos_angle = std::sin(view) * std::sin(light) + std::cos(view) * std::cos(light) * cos_azimuth;
         const float phase =
-            f32::sky_aerosol_phase(line_sampler(tables_.phase), static_cast<float>(cos_angle), phase_nodes);
+            f32::sky_aerosol_phase(line_sampler(tables_.phase), static_cast<float>(cos_angle), sky_phase_nodes);
         const f32::vec4 aerosol = log2_of(responses(seen.single_aerosol) / (path_share * phase), darkest_log2);
         tables_.other[texel] = other;
         tables_.aerosol[texel] = glm::max(aerosol, other + f32::vec4(least_aerosol_log2));
