@@ -1,9 +1,9 @@
 #include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/sky_table_parts.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
+#include "vesper/atmosphere/spectral_rule.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
-#include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
@@ -19,22 +19,11 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr std::size_t most_wavelengths = 8; ///< by measurement: docs/SKY_TABLES.md
 /// Logarithms to base 2 of what is dark; and of the least share that light scattered once by aerosol is given of the
 /// other light, so that a shadow's edge is no cliff that interpolation overshoots.
 constexpr float darkest_log2 = -100.0F;
 constexpr float least_aerosol_log2 = -14.0F;
-
-std::vector<double> table_wavelengths(const Medium& medium) {
-  constexpr std::size_t most = 16;
-  if (medium.wavelengths_nm.size() <= most) {
-    return medium.wavelengths_nm;
-  }
-  std::vector<double> wavelengths;
-  for (std::size_t i = 0; i < most; ++i) {
-    wavelengths.push_back(400.0 + 20.0 * static_cast<double>(i));
-  }
-  return wavelengths;
-}
 
 f32::vec4 to_vec4(const Xyzs& light) {
   return {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z),
@@ -54,9 +43,9 @@ void validate(const SkyTableSize& size) {
 class Filler {
 public:
   Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress)
-      : threads_(threads), progress_(progress), air_(medium), optics_(medium, table_wavelengths(medium)),
-        weights_(spectral_weights(solar_irradiance_1au(), optics_.wavelengths_nm())) {
-    const Xyzs sun = weights_(std::vector<double>(optics_.size(), 1.0));
+      : threads_(threads), progress_(progress), air_(medium),
+        rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), optics_(medium, rule_.wavelengths_nm) {
+    const Xyzs sun = rule_.weights(std::vector<double>(optics_.size(), 1.0));
     lux_ = sun.y;
     tables_.light = to_vec4({sun.x / lux_, 1.0, sun.z / lux_, sun.s / lux_});
     tables_.frame = {static_cast<float>(air_.ground_km()),
@@ -82,10 +71,10 @@ private:
     Xyzs sum;
     for (std::size_t l = 0; l < optics_.size(); ++l) {
       const auto value = static_cast<double>(spectrum[l]) / lux_;
-      sum.x += weights_.x[l] * value;
-      sum.y += weights_.y[l] * value;
-      sum.z += weights_.z[l] * value;
-      sum.s += weights_.s[l] * value;
+      sum.x += rule_.weights.x[l] * value;
+      sum.y += rule_.weights.y[l] * value;
+      sum.z += rule_.weights.z[l] * value;
+      sum.s += rule_.weights.s[l] * value;
     }
     return to_vec4(sum);
   }
@@ -176,8 +165,8 @@ private:
   unsigned threads_;
   const Progress& progress_;
   SampledAir air_;
+  SpectralRule rule_;
   SpectralAir optics_;
-  SpectralWeights weights_;
   double lux_ = 1.0;
   SkyTables tables_;
 };

@@ -22,11 +22,12 @@ Vec4 behind_filter(const Spectrum& light, double lux, double power) {
 }
 
 double lux_of(const Spectrum& light) {
-  const double lux = integrate_xyzs(light).y;
-  if (!(lux > 0.0)) {
-    throw Error(ErrorKind::argument, "a light without any luminance", {"", "", "Give a spectrum that the eye sees"});
+  const Xyzs sum = integrate_xyzs(light);
+  if (!(sum.x > 0.0 && sum.y > 0.0 && sum.z > 0.0 && sum.s > 0.0)) {
+    throw Error(ErrorKind::argument, "a light without any of X, Y, Z or S",
+                {"", "", "Give a spectrum that is seen by day and by night"});
   }
-  return lux;
+  return sum.y;
 }
 
 } // namespace
@@ -34,17 +35,20 @@ double lux_of(const Spectrum& light) {
 Mat4 response_matrix(const Spectrum& from, const Spectrum& to) {
   const double from_lux = lux_of(from);
   const double to_lux = lux_of(to);
-  // Normal equations, each filter weighted so that all are equally bright.
-  Mat4 squares(0.0);
-  Mat4 products(0.0);
-  for (int power = -8; power <= 12; power += 2) {
-    const Vec4 source = behind_filter(from, from_lux, power);
-    const Vec4 target = behind_filter(to, to_lux, power);
-    const double weight = 1.0 / (source.y * source.y);
-    squares += weight * glm::outerProduct(source, source);
-    products += weight * glm::outerProduct(target, source);
+  Mat4 rows(0.0);
+  for (int response = 0; response < 4; ++response) {
+    // Normal equations of errors in relation to what is right.
+    Mat4 squares(0.0);
+    Vec4 products(0.0);
+    for (int power = -8; power <= 12; power += 2) {
+      const Vec4 target = behind_filter(to, to_lux, power);
+      const Vec4 source = behind_filter(from, from_lux, power) / target[response];
+      squares += glm::outerProduct(source, source);
+      products += source;
+    }
+    rows[response] = glm::inverse(squares) * products;
   }
-  return products * glm::inverse(squares);
+  return glm::transpose(rows);
 }
 
 } // namespace vesper
