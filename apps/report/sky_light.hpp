@@ -1,35 +1,12 @@
-// Sun and Moon as lights of the air, and what their light amounts to.
+// What the light of Sun and Moon in the air amounts to, by the reference transport.
 #pragma once
 
 #include "vesper/atmosphere/reference_transport.hpp"
-#include "vesper/light/spectrum.hpp"
-#include "vesper/sky/sky_state.hpp"
+#include "vesper/sky/sky_light.hpp"
 
-#include <string>
 #include <vector>
 
 namespace vesper {
-
-/// A light so far away that it looks the same from all of the air.
-struct SkyLight {
-  std::string name; ///< "sun" or "moon"
-  Vec3 direction;   ///< towards its centre, without refraction: horizon frame
-  Angle angular_radius;
-  Spectrum irradiance; ///< above the air, W/(m2 nm)
-};
-
-[[nodiscard]] SkyLight sun_light(const Vec3& direction, Length distance);
-/// \param phase_angle 0 to 180 degrees
-[[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
-
-/// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
-/// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
-/// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.
-/// Eclipses do not dim them.
-[[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky);
-
-/// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.
-[[nodiscard]] Length height_in_air(const Observer& observer);
 
 /// A light with the quantities that it is asked for.
 struct WeightedLight {

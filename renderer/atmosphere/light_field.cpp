@@ -30,20 +30,22 @@ LightField::RayLight LightField::light(const ViewRay& ray, double cos_light_zeni
   std::array<Lanes, SampledAir::most_components * most> by_scatterer{};
   std::array<Lanes, most> aerosol{};
   std::array<Lanes, most> other{};
+  std::array<Lanes, most> ground{};
   std::array<Lanes, most> phase{};
   add_direct(model_, ray.direct, place, static_cast<float>(light_angular_radius.to(rad)), by_scatterer.data(),
-             other.data());
+             ground.data());
   for (std::size_t s = 0; s < model_.scatterers(); ++s) {
     model_.phase(s, static_cast<double>(place.cos_angle), phase.data());
     for (std::size_t b = 0; b < blocks; ++b) {
       (s == 0 ? other : aerosol)[b] += phase[b] * by_scatterer[s * blocks + b];
     }
   }
-  add_scattered(model_, ray.later, place, solution_.tables, other.data());
+  add_scattered(model_, ray.later, place, solution_.tables, other.data(), ground.data());
   RayLight light;
   for (std::size_t l = 0; l < blocks * Lanes::size; ++l) {
     light.single_aerosol[l] = aerosol[l / Lanes::size][l % Lanes::size];
     light.other[l] = other[l / Lanes::size][l % Lanes::size];
+    light.ground[l] = ground[l / Lanes::size][l % Lanes::size];
   }
   return light;
 }
@@ -59,7 +61,7 @@ std::vector<double> LightField::radiance(const SkyQuery& query) const {
                                cos_azimuth, query.light_angular_radius);
   std::vector<double> radiance;
   for (std::size_t l = 0; l < model_.optics().size(); ++l) {
-    radiance.push_back(static_cast<double>(parts.single_aerosol[l] + parts.other[l]));
+    radiance.push_back(static_cast<double>(parts.single_aerosol[l] + parts.other[l] + parts.ground[l]));
   }
   return radiance;
 }

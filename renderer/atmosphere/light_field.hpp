@@ -46,7 +46,8 @@ public:
   using Spectrum = std::array<float, most_wavelengths>;
   struct RayLight {
     Spectrum single_aerosol{}; ///< scattered once, by what is no molecule
-    Spectrum other{};          ///< all the rest
+    Spectrum other{};          ///< all other light from the air
+    Spectrum ground{};         ///< what the ground at the ray's far end sends through the air
   };
   /// Radiance along the ray; the light's azimuth is counted from the ray's.
   [[nodiscard]] RayLight light(const ViewRay& ray, double cos_light_zenith, double cos_azimuth,

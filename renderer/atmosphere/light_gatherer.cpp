@@ -75,7 +75,7 @@ void ThreadedLightGatherer::gather_again(const LightFieldTables& tables, LightFi
     later_rule_ = model_.later_rule(threads_);
   }
   for_each_node(later_rule_, sums, [&](const LightRay& ray, const f32::LightPlace& light, Lanes* radiance) {
-    add_scattered(model_, ray, light, tables, radiance);
+    add_scattered(model_, ray, light, tables, radiance, radiance);
   });
 }
 

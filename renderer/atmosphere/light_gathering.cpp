@@ -53,7 +53,7 @@ void add_direct(const LightFieldModel& model, const LightRay& ray, const f32::Li
 }
 
 void add_scattered(const LightFieldModel& model, const LightRay& ray, const f32::LightPlace& light,
-                   const LightFieldTables& tables, Lanes* radiance) {
+                   const LightFieldTables& tables, Lanes* by_air, Lanes* by_ground) {
   const std::size_t blocks = model.blocks();
   const std::size_t scatterers = model.scatterers();
   const f32::LightShell shell = model.shell();
@@ -65,8 +65,8 @@ void add_scattered(const LightFieldModel& model, const LightRay& ray, const f32:
     const float cosine = f32::light_cosine(step, light);
     const f32::FieldPlace place = f32::field_place(step, cosine, light, shell, places);
     for (std::size_t b = 0; b < blocks; ++b) {
-      radiance[b] += own[b] * f32::scattered_by_molecules(place, model.second_moment()[b],
-                                                          block(tables.field, b, blocks), shell.angles);
+      by_air[b] += own[b] * f32::scattered_by_molecules(place, model.second_moment()[b], block(tables.field, b, blocks),
+                                                        shell.angles);
     }
     if (place.source < 0) {
       continue;
@@ -76,13 +76,13 @@ void add_scattered(const LightFieldModel& model, const LightRay& ray, const f32:
       for (std::size_t s = 2; s < scatterers; ++s) {
         aerosol += own[s * blocks + b];
       }
-      radiance[b] += aerosol * f32::scattered_by_aerosol(place, block(tables.sources, b, blocks), shell.angles);
+      by_air[b] += aerosol * f32::scattered_by_aerosol(place, block(tables.sources, b, blocks), shell.angles);
     }
   }
   if (ray.meets_ground) {
     const float cosine = f32::light_cosine(ray.ground, light);
     for (std::size_t b = 0; b < blocks; ++b) {
-      radiance[b] +=
+      by_ground[b] +=
           ray.ground_weights[b] * f32::ground_light(cosine, block(tables.ground, b, blocks), places, shell.angles);
     }
   }

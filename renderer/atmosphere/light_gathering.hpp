@@ -22,8 +22,8 @@ struct LightFieldTables {
 void add_direct(const LightFieldModel& model, const LightRay& ray, const f32::LightPlace& light, float light_radius_rad,
                 Lanes* by_scatterer, Lanes* by_ground);
 
-/// Adds what they make of the light that was scattered before. \param radiance by block
+/// Adds what they make of the light that was scattered before, by block.
 void add_scattered(const LightFieldModel& model, const LightRay& ray, const f32::LightPlace& light,
-                   const LightFieldTables& tables, Lanes* radiance);
+                   const LightFieldTables& tables, Lanes* by_air, Lanes* by_ground);
 
 } // namespace vesper

@@ -3,6 +3,7 @@ using vec2 = glm::vec<2, Real>;
 using vec3 = glm::vec<3, Real>;
 using vec4 = glm::vec<4, Real>;
 using ivec2 = glm::ivec2;
+using ivec3 = glm::ivec3;
 using mat3 = glm::mat<3, 3, Real>;
 using mat4 = glm::mat<4, 4, Real>;
 using uint = unsigned int;
@@ -63,6 +64,20 @@ inline vec4 texelFetch(sampler2D texture, ivec2 texel, int /*level*/) { // NOLIN
   return texel.x >= 0 && texel.x < texture.width && texel.y >= 0 && texel.y < texture.height
              ? texture.texels[texel.y * texture.width + texel.x]
              : vec4(Real(0));
+}
+
+/// A three-dimensional one, layer by layer.
+struct sampler3D { // NOLINT(readability-identifier-naming)
+  const vec4* texels = nullptr;
+  int width = 0;
+  int height = 0;
+  int depth = 0;
+};
+inline vec4 texelFetch(sampler3D texture, ivec3 texel, int /*level*/) { // NOLINT(readability-identifier-naming)
+  const bool inside = texel.x >= 0 && texel.x < texture.width && texel.y >= 0 && texel.y < texture.height &&
+                      texel.z >= 0 && texel.z < texture.depth;
+  const auto row = static_cast<std::ptrdiff_t>(texel.z) * texture.height + texel.y;
+  return inside ? texture.texels[row * texture.width + texel.x] : vec4(Real(0));
 }
 
 /// Lights in memory, `stride` apart: tables of more wavelengths than four hold a place's together.

@@ -1,0 +1,57 @@
+#include "vesper/atmosphere/sky_tables.hpp"
+
+#include "vesper/atmosphere/air_view.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace vesper {
+
+f32::sampler3D sampler(const SkyTables& tables, const std::vector<f32::vec4>& scattering) {
+  const f32::SkyTableFrame& frame = tables.frame;
+  return {scattering.data(), frame.lights * f32::sky_azimuths, frame.views_below + frame.views_above, frame.heights};
+}
+
+f32::sampler2D transmittance_sampler(const SkyTables& tables) {
+  return {tables.transmittance.data(), tables.transmittance_frame.altitudes, tables.transmittance_frame.heights};
+}
+
+f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels) {
+  return {texels.data(), static_cast<int>(texels.size())};
+}
+
+Xyzs sky_luminance(const SkyTables& tables, const SkyQuery& query) {
+  const f32::SkyTableFrame& frame = tables.frame;
+  const std::optional<AirView> seen =
+      view_in_air(query, static_cast<double>(frame.ground_km), static_cast<double>(frame.top_km));
+  if (!seen) {
+    return {};
+  }
+  const auto height_km = static_cast<float>(seen->height_km);
+  const auto altitude = static_cast<float>(seen->altitude_rad);
+  const auto light_altitude = static_cast<float>(seen->light_altitude_rad);
+  const auto cos_azimuth = static_cast<float>(seen->cos_azimuth);
+  const f32::SkyViewPlace row =
+      f32::sky_view_place(altitude, f32::sky_dip(height_km, frame), seen->meets_ground, frame);
+  const float share = f32::sky_path_share(height_km, altitude, seen->meets_ground, frame);
+  const auto source = [&](const std::vector<f32::vec4>& table) {
+    return glm::exp2(f32::sky_table_log2(sampler(tables, table), height_km, row, light_altitude, cos_azimuth, frame));
+  };
+  const float phase = f32::sky_aerosol_phase(line_sampler(tables.phase), static_cast<float>(seen->cos_angle),
+                                             static_cast<int>(tables.phase.size()));
+  f32::vec4 sum = share * (source(tables.other) + phase * source(tables.aerosol));
+  if (seen->meets_ground) {
+    const f32::vec4 illuminance = f32::sky_ground_illuminance(
+        line_sampler(tables.ground), transmittance_sampler(tables), tables.light,
+        static_cast<float>(seen->ground_light_rad), static_cast<float>(query.light_angular_radius.to(rad)),
+        tables.transmittance_frame, frame);
+    const f32::vec4 passed = glm::exp2(f32::sky_ground_view_log2(transmittance_sampler(tables), height_km, altitude,
+                                                                 tables.transmittance_frame, frame));
+    sum += tables.albedo * illuminance * passed / std::numbers::pi_v<float>;
+  }
+  return {static_cast<double>(sum.x), static_cast<double>(sum.y), static_cast<double>(sum.z),
+          static_cast<double>(sum.w)};
+}
+
+} // namespace vesper

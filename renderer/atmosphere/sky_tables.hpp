@@ -1,0 +1,54 @@
+// The sky of a medium, solved for sunlight and kept in tables that the GPU reads: how bright it looks from anywhere.
+#pragma once
+
+#include "vesper/atmosphere/medium.hpp"
+#include "vesper/atmosphere/sky_query.hpp"
+#include "vesper/base/shader_math.hpp"
+#include "vesper/light/response_functions.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace vesper {
+
+/// Nodes of the tables; what they cost and how good they are stands in docs/SKY_TABLES.md.
+struct SkyTableSize {
+  int heights = 16;
+  int views_below = 16; ///< rays that meet the ground
+  int views_above = 32;
+  int lights = 64; ///< altitudes of the light, 90 to -36 degrees
+};
+
+/// Light above 1 lux of sunlight (solar_irradiance_1au) outside the air, in X, Y, Z and S: cd/m2, or lux. Texels lie as
+/// in shaders/lib/sky_table.glsl, which holds what they mean and how to read them.
+struct SkyTables {
+  f32::SkyTableFrame frame{};
+  std::vector<f32::vec4> aerosol; ///< scattered once, by aerosol; over its phase function
+  std::vector<f32::vec4> other;   ///< all other light from the air
+  std::vector<f32::vec4> ground;  ///< diffuse illuminance of level ground, by altitude of the light
+  std::vector<f32::vec4> phase;   ///< of the aerosol, by angle
+  f32::SkyTransmittanceFrame transmittance_frame{};
+  std::vector<f32::vec4> transmittance;
+  f32::vec4 light{};  ///< X, Y, Z, S of 1 lux of sunlight
+  f32::vec4 albedo{}; ///< of the ground, in sunlight
+};
+
+/// The samplers of the tables, for the functions of sky_table.glsl. The tables outlive them.
+[[nodiscard]] f32::sampler3D sampler(const SkyTables& tables, const std::vector<f32::vec4>& scattering);
+[[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
+[[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
+
+/// Told from one thread at a time what share of the work is done, 0 to 1.
+using Progress = std::function<void(double share)>;
+
+/// Solves the transport of light and fills the tables, in seconds.
+/// \param threads 0 for one per core; the result does not depend on it
+/// Throws Error(argument) for a medium or a size out of its range.
+[[nodiscard]] SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size = {}, unsigned threads = 0,
+                                        const Progress& progress = {});
+
+/// Luminance toward an observer anywhere above 1 lux of sunlight from the query's direction, the ground's included
+/// where the view meets it. Throws Error(argument) for a query out of its range.
+[[nodiscard]] Xyzs sky_luminance(const SkyTables& tables, const SkyQuery& query);
+
+} // namespace vesper

@@ -1,0 +1,59 @@
+#include "vesper/sky/sky_light.hpp"
+
+#include "vesper/astro/constants.hpp"
+#include "vesper/astro/spherical.hpp"
+#include "vesper/light/moonlight.hpp"
+#include "vesper/light/response_functions.hpp"
+#include "vesper/light/sunlight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vesper {
+namespace {
+
+Angle angular_radius(Length radius, Length distance) { return std::asin(radius / distance) * rad; }
+
+/// Whether a light could give the zenith 1e-4 of the darkest night's 1.7e-4 cd/m2. Below the horizon its lux above the
+/// air times 10^(-2.5 - 0.45 d), d degrees deep, is what it gives in cd/m2, within a factor of 3 from 0 to 18 degrees
+/// (fitted to the reference transport in clear air).
+bool lights_the_air(const SkyLight& light, Length height) {
+  constexpr Length ground = 6371.0 * kilometre; // the dip is needed within a degree
+  const Angle dip = std::acos(ground / (ground + height)) * rad;
+  const double depth_deg = std::max(0.0, -(latitude_of(light.direction) + dip).to(deg));
+  return integrate_xyzs(light.irradiance).y * std::pow(10.0, -2.5 - 0.45 * depth_deg) > 1.7e-8;
+}
+
+} // namespace
+
+SkyLight sun_light(const Vec3& direction, Length distance) {
+  const Spectrum& at_1au = solar_irradiance_1au();
+  const double scale = std::pow(astronomical_unit / distance, 2);
+  std::vector<double> irradiance = at_1au.values();
+  for (double& value : irradiance) {
+    value *= scale;
+  }
+  return {"sun", direction, angular_radius(sun_radius, distance), {at_1au.wavelengths_nm(), std::move(irradiance)}};
+}
+
+SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle) {
+  return {"moon", direction, angular_radius(moon_mean_radius, distance),
+          moon_irradiance(phase_angle, distance, from_sun)};
+}
+
+std::vector<SkyLight> lights_of(const SkyState& sky) {
+  const BodyPlace& moon = sky.moon.place;
+  const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
+  const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
+  std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
+                               moon_light(moon.direction_horizon, moon.distance,
+                                          glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  const Length height = height_in_air(sky.observer);
+  std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
+  return lights;
+}
+
+Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }
+
+} // namespace vesper
