@@ -13,10 +13,10 @@ namespace vesper {
 
 /// Nodes of the tables; what they cost and how good they are stands in docs/SKY_TABLES.md.
 struct SkyTableSize {
-  int heights = 24;
-  int views_below = 24; ///< rays that meet the ground
-  int views_above = 40;
-  int lights = 48; ///< altitudes of the light, 90 to -36 degrees
+  int heights = 16;
+  int views_below = 16; ///< rays that meet the ground
+  int views_above = 32;
+  int lights = 64; ///< altitudes of the light, 90 to -36 degrees
 };
 
 /// Light above 1 lux of sunlight (solar_irradiance_1au) outside the air, in X, Y, Z and S: cd/m2, or lux. Texels lie as

@@ -2,12 +2,13 @@
 
 #include "vesper/atmosphere/air_view.hpp"
 #include "vesper/atmosphere/sky_table_parts.hpp"
-#include "vesper/light/spectral_weights.hpp"
+#include "vesper/atmosphere/spectral_rule.hpp"
+#include "vesper/base/vector.hpp"
 #include "vesper/light/sunlight.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 
 namespace vesper {
@@ -18,10 +19,11 @@ constexpr int multiple_nodes = 32;
 constexpr int view_steps = 32;
 constexpr float darkest_log2 = -100.0F;
 
-template <class Value> f32::vec4 by_wavelength(const Value& value) {
-  f32::vec4 result;
-  for (int l = 0; l < 4; ++l) {
-    result[l] = static_cast<float>(value(static_cast<std::size_t>(l)));
+/// Of a medium with less than four wavelengths the last stay dark.
+template <class Value> f32::vec4 by_wavelength(const SpectralAir& optics, const Value& value) {
+  f32::vec4 result(0.0F);
+  for (std::size_t l = 0; l < optics.size(); ++l) {
+    result[static_cast<int>(l)] = static_cast<float>(value(l));
   }
   return result;
 }
@@ -32,11 +34,11 @@ std::vector<f32::vec4> air_table(const SampledAir& air, const SpectralAir& optic
     const double place = static_cast<double>(i) / (air_levels - 1);
     const SampledAir::PerComponent density =
         air.density(air.ground_km() + (air.top_km() - air.ground_km()) * place * place);
-    table[i] = by_wavelength([&](std::size_t l) { return optics.optical_depth(density, l); });
+    table[i] = by_wavelength(optics, [&](std::size_t l) { return optics.optical_depth(density, l); });
     for (std::size_t c = 0; c < air.component_count(); ++c) {
       const std::size_t row = optics.phase_kind(c) == PhaseKind::rayleigh ? 1 : 2;
       table[row * air_levels + i] +=
-          by_wavelength([&](std::size_t l) { return density[c] * optics.scattering_per_km(c, l); });
+          by_wavelength(optics, [&](std::size_t l) { return density[c] * optics.scattering_per_km(c, l); });
     }
   }
   return table;
@@ -48,23 +50,21 @@ double depolarization_of(const SampledAir& air, const SpectralAir& optics) {
   double most = 0.0;
   double depolarization = 0.0;
   for (std::size_t c = 0; c < air.component_count(); ++c) {
-    const double scattering = density[c] * optics.scattering_per_km(c, 1);
+    const double scattering = density[c] * optics.mean_scattering_per_km(c);
     if (optics.phase_kind(c) == PhaseKind::rayleigh && scattering > most) {
       most = scattering;
-      depolarization = optics.phase_parameter(c, 1);
+      depolarization = optics.phase_parameter(c, optics.size() / 2);
     }
   }
   return depolarization;
 }
 
-f32::mat4 sunlight_responses(const SpectralAir& optics) {
-  const SpectralWeights weights = spectral_weights(solar_irradiance_1au(), optics.wavelengths_nm());
-  const double lux = weights(std::vector<double>(optics.size(), 1.0)).y;
-  f32::mat4 responses;
-  for (std::size_t l = 0; l < optics.size(); ++l) {
-    responses[static_cast<int>(l)] =
-        f32::vec4(static_cast<float>(weights.x[l] / lux), static_cast<float>(weights.y[l] / lux),
-                  static_cast<float>(weights.z[l] / lux), static_cast<float>(weights.s[l] / lux));
+f32::mat4 responses_of(const SpectralWeights& weights) {
+  const double lux = std::accumulate(weights.y.begin(), weights.y.end(), 0.0);
+  f32::mat4 responses(0.0F);
+  for (std::size_t l = 0; l < weights.y.size(); ++l) {
+    const Vec4 column = Vec4(weights.x[l], weights.y[l], weights.z[l], weights.s[l]) / lux;
+    responses[static_cast<int>(l)] = f32::vec4(column);
   }
   return responses;
 }
@@ -77,8 +77,10 @@ f32::sampler2D plane(const std::vector<f32::vec4>& texels, int width) {
 
 SmallSkyTables make_small_sky_tables(const Medium& medium) {
   const SampledAir air(medium);
-  const SpectralAir optics(medium, {small_sky_wavelengths_nm.begin(), small_sky_wavelengths_nm.end()});
+  const SpectralRule rule = spectral_rule(medium, solar_irradiance_1au(), 4);
+  const SpectralAir optics(medium, rule.wavelengths_nm);
   SmallSkyTables tables;
+  tables.wavelengths_nm = rule.wavelengths_nm;
   tables.frame = {static_cast<float>(air.ground_km()),
                   static_cast<float>(air.top_km()),
                   static_cast<float>(mean_light_radius.to(rad)),
@@ -88,15 +90,16 @@ SmallSkyTables make_small_sky_tables(const Medium& medium) {
                   sky_phase_nodes,
                   view_steps};
   tables.transmittance_frame = sky_transmittance_nodes;
-  tables.responses = sunlight_responses(optics);
-  tables.albedo = by_wavelength([&](std::size_t l) { return optics.albedo(l); });
+  tables.responses = responses_of(rule.weights);
+  tables.albedo = by_wavelength(optics, [&](std::size_t l) { return optics.albedo(l); });
   tables.air = air_table(air, optics);
   tables.phase = aerosol_phase_table(air, optics);
   tables.transmittance = transmittance_table(
       air,
       [&](const SampledAir::PerComponent& columns) {
-        return log2_of(by_wavelength([&](std::size_t l) { return std::exp(-optics.optical_depth(columns, l)); }),
-                       darkest_log2);
+        return log2_of(
+            by_wavelength(optics, [&](std::size_t l) { return std::exp(-optics.optical_depth(columns, l)); }),
+            darkest_log2);
       },
       1);
   for (int row = 0; row < multiple_nodes; ++row) {

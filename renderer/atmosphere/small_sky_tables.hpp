@@ -7,7 +7,6 @@
 #include "vesper/base/shader_math.hpp"
 #include "vesper/light/response_functions.hpp"
 
-#include <array>
 #include <vector>
 
 namespace vesper {
@@ -22,12 +21,10 @@ struct SmallSkyTables {
   std::vector<f32::vec4> transmittance;
   std::vector<f32::vec4> multiple;
   std::vector<f32::vec4> phase;
-  f32::mat4 responses{}; ///< X, Y, Z, S above 1 lux of sunlight, from the radiances at the wavelengths
-  f32::vec4 albedo{};    ///< of the ground, by wavelength
+  std::vector<double> wavelengths_nm; ///< at most four, by spectral_rule
+  f32::mat4 responses{};              ///< X, Y, Z, S above 1 lux of sunlight, from the radiances at the wavelengths
+  f32::vec4 albedo{};                 ///< of the ground, by wavelength
 };
-
-/// Wavelengths of the small tables, nm.
-inline constexpr std::array<double, 4> small_sky_wavelengths_nm{440.0, 500.0, 560.0, 620.0};
 
 /// Throws Error(argument) for a medium out of its range.
 [[nodiscard]] SmallSkyTables make_small_sky_tables(const Medium& medium);

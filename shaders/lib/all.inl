@@ -11,4 +11,4 @@
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
-
+#include "vesper/shaders/lib/light_field.glsl"

@@ -28,12 +28,11 @@ glm::vec4 log2_of(const glm::vec4& light) { return glm::log2(glm::max(light, glm
 
 LightField::ViewRay view_ray(const LightField& field, const SampledAir& air, const SkyPlace& place) {
   // Where a ray has no length there is no light; the lookups come from inside too.
-  const double height =
-      std::clamp(place.height_km, 1.0e-3, air.top_km() - air.ground_km() - 0.05);
+  const double height = std::clamp(place.height_km, 1.0e-3, air.top_km() - air.ground_km() - 0.05);
   const double dip = std::acos(air.ground_km() / (air.ground_km() + height));
   constexpr double aside_rad = 2.0e-6;
-  const double altitude = place.meets_ground ? std::min(place.view_rad, -dip - aside_rad)
-                                             : std::max(place.view_rad, -dip + aside_rad);
+  const double altitude =
+      place.meets_ground ? std::min(place.view_rad, -dip - aside_rad) : std::max(place.view_rad, -dip + aside_rad);
   return field.view_ray(air.ground_km() + height, std::sin(altitude));
 }
 
@@ -53,7 +52,8 @@ MappedSky::MappedSky(const SkyMapping& mapping, const LightField& field, const S
       for (int l = 0; l < size.lights; ++l) {
         for (int a = 0; a < size.azimuths; ++a) {
           const SkyPlace place = mapping.node(height, view, l, a);
-          const LightField::RayLight light = field.light(ray, std::sin(place.light_rad), place.cos_azimuth, light_radius);
+          const LightField::RayLight light =
+              field.light(ray, std::sin(place.light_rad), place.cos_azimuth, light_radius);
           const double cos_angle = cos_between(place);
           const std::size_t texel = i * row + static_cast<std::size_t>(l * size.azimuths + a);
           other_[texel] = responses(light.other) / static_cast<float>(rayleigh(cos_angle));

@@ -17,20 +17,20 @@ double signed_power(double x, double p) { return std::copysign(std::pow(std::abs
 class Bruneton : public SkyMapping {
 public:
   Bruneton(double ground_km, double top_km, const SkyMappingSize& size, bool revised)
-      : SkyMapping(revised ? "Bruneton, revised" : "Bruneton 2017", size),
-        shell_{static_cast<float>(ground_km), static_cast<float>(top_km), 0.0F} {
+      : SkyMapping(revised ? "Bruneton, revised" : "Bruneton 2017", size), shell_{static_cast<float>(ground_km),
+                                                                                  static_cast<float>(top_km), 0.0F} {
     sizes_.scattering_r = size.heights;
     sizes_.scattering_mu = size.views;
     sizes_.scattering_mu_s = size.lights;
     sizes_.scattering_nu = size.azimuths;
-    shell_.sun_span = revised ? sun_span_revised(shell_, -0.5F) : sun_span_2017(shell_, -0.2079117F); // 120, 102 degrees
+    shell_.sun_span =
+        revised ? sun_span_revised(shell_, -0.5F) : sun_span_2017(shell_, -0.2079117F); // 120, 102 degrees
   }
 
   [[nodiscard]] SkyPlace node(int height, int view, int light, int azimuth) const override {
-    const ScatteringPlace place =
-        scattering_place(shell_, sizes_,
-                         {static_cast<float>(height), static_cast<float>(view), static_cast<float>(light),
-                          static_cast<float>(azimuth)});
+    const ScatteringPlace place = scattering_place(
+        shell_, sizes_,
+        {static_cast<float>(height), static_cast<float>(view), static_cast<float>(light), static_cast<float>(azimuth)});
     const double mu = place.mu;
     const double mu_s = place.mu_s;
     const double spread = std::sqrt((1.0 - mu * mu) * (1.0 - mu_s * mu_s));
@@ -42,11 +42,10 @@ public:
   [[nodiscard]] std::array<double, 4> texel(const SkyPlace& place) const override {
     const double nu = std::sin(place.view_rad) * std::sin(place.light_rad) +
                       std::cos(place.view_rad) * std::cos(place.light_rad) * place.cos_azimuth;
-    const ScatteringTexel at =
-        scattering_texel(shell_, sizes_,
-                         {shell_.ground_km + static_cast<float>(place.height_km),
-                          static_cast<float>(std::sin(place.view_rad)), static_cast<float>(std::sin(place.light_rad)),
-                          static_cast<float>(nu), place.meets_ground});
+    const ScatteringTexel at = scattering_texel(
+        shell_, sizes_,
+        {shell_.ground_km + static_cast<float>(place.height_km), static_cast<float>(std::sin(place.view_rad)),
+         static_cast<float>(std::sin(place.light_rad)), static_cast<float>(nu), place.meets_ground});
     return {at.r, at.mu, at.mu_s, at.nu};
   }
 

@@ -20,7 +20,7 @@ struct SkyMappingSize {
 /// Where light is asked for, or what a node stands for.
 struct SkyPlace {
   double height_km;
-  double view_rad;  ///< altitude of the view
+  double view_rad; ///< altitude of the view
   bool meets_ground;
   double light_rad; ///< altitude of the light
   double cos_azimuth;

@@ -16,7 +16,7 @@
 namespace vesper {
 namespace {
 
-constexpr LightFieldSize small{10, 10, 4, 0.3, 1.0, 4};
+constexpr LightFieldSize small{10, 10, 4, 10, 4, 0.3, 1.0, 0.1, 4};
 
 Vec3 toward(double azimuth_deg, double altitude_deg) {
   const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
@@ -79,6 +79,20 @@ TEST(LightFieldStability, RefusesMoreWavelengthsThanItHolds) {
   const SampledAir air(published_medium());
   const SpectralAir optics(published_medium(), wavelengths);
   EXPECT_THROW(LightField(air, optics, small), Error);
+}
+
+TEST(LightFieldStability, RefusesSizesThatHoldNothing) {
+  const SampledAir air(published_medium());
+  const SpectralAir optics(published_medium(), {550.0});
+  LightFieldSize size = small;
+  size.heights = 1;
+  EXPECT_THROW(LightField(air, optics, size), Error);
+  size = small;
+  size.later_zeniths = 2;
+  EXPECT_THROW(LightField(air, optics, size), Error);
+  size = small;
+  size.least_step_km = 0.0;
+  EXPECT_THROW(LightField(air, optics, size), Error);
 }
 
 } // namespace
