@@ -1,6 +1,7 @@
 // vesper-render: one picture of the sky, without a window.
 #include "common/program.hpp"
 #include "common/scene_options.hpp"
+#include "common/sky_tables_cache.hpp"
 
 #include "vesper/assets/default_stars.hpp"
 #include "vesper/assets/image_file.hpp"
@@ -95,6 +96,9 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
   frame_options.air.refraction = options.refraction == "on";
   frame_options.air.medium = scene.medium;
+  if (has(scene.layers, Layer::sky)) {
+    frame_options.air.sky_tables = scene_sky_tables(scene);
+  }
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;

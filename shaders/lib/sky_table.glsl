@@ -24,6 +24,12 @@ FN Real sky_dip(Real height_km, SkyTableFrame frame) {
   return atan(sqrt(h * (Real(2.0) * frame.ground_km + h)), frame.ground_km);
 }
 
+// The same of the top of the air, for an observer above it: where the limb ends.
+FN Real sky_limb_dip(Real height_km, SkyTableFrame frame) {
+  Real h = max(height_km - (frame.top_km - frame.ground_km), Real(0.0));
+  return atan(sqrt(h * (Real(2.0) * frame.top_km + h)), frame.top_km);
+}
+
 // Heights crowd at the ground. The outermost nodes stand just inside the air, where rays still have a path in it.
 CONSTANT Real sky_least_height_km = Real(1.0e-3);
 CONSTANT Real sky_least_depth_km = Real(0.05);
@@ -183,19 +189,24 @@ FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, in
   return sum;
 }
 
+// The share of the node number k over the azimuth in the number m of the cosine series through all nodes.
+FN Real sky_series_weight(int m, int k) {
+  int last = sky_azimuths - 1;
+  Real weight = cos(sky_half_turn * Real(m * k) / Real(last)) / Real(last);
+  weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
+  return weight * (m == 0 || m == last ? Real(1.0) : Real(2.0));
+}
+
 // Number m of the cosine series over the azimuth through the nodes of a row, for an observer's height and an altitude of
 // the light: what a frame needs of a table. The series is the polynomial in the cosine that passes through all nodes.
 FN vec4 sky_slice_texel(sampler3D table, Real height_km, Real light_altitude_rad, int row, int m, SkyTableFrame frame) {
   SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
   SkyNodes lights = sky_nodes(sky_light_place(light_altitude_rad, frame), frame.lights);
-  int last = sky_azimuths - 1;
   vec4 sum = vec4(Real(0.0));
   for (int k = 0; k < sky_azimuths; ++k) {
-    Real weight = cos(sky_half_turn * Real(m * k) / Real(last));
-    weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
-    sum += weight * sky_table_between(table, heights, lights, row, k, frame);
+    sum += sky_series_weight(m, k) * sky_table_between(table, heights, lights, row, k, frame);
   }
-  return sum * (m == 0 || m == last ? Real(1.0) : Real(2.0)) / Real(last);
+  return sum;
 }
 
 // The logarithm of the mean source in a direction, from a slice: x number of the series, y row.
