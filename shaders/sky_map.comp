@@ -11,7 +11,7 @@
 #include "lib/sky_table.glsl"
 #include "sky_block.glsl"
 
-layout(local_size_x = 16, local_size_y = 4) in;
+layout(local_size_x = 64) in; // a group makes a row
 layout(binding = 0, rgba32f) uniform image2DArray map;
 layout(binding = 0) uniform sampler2D transmittance;
 layout(binding = 1) uniform sampler1D ground;
@@ -19,8 +19,7 @@ layout(binding = 1) uniform sampler1D ground;
 layout(binding = 2) uniform sampler3D other_table;
 layout(binding = 3) uniform sampler3D aerosol_table;
 #else
-layout(binding = 2) uniform sampler2D other_slices[sky_most_lights];
-layout(binding = 4) uniform sampler2D aerosol_slices[sky_most_lights];
+layout(binding = 2) uniform sampler2D slices; // side by side: first light's other and aerosol, second light's
 #endif
 
 const float least_light = 7.5e-37; // 2^-120
@@ -34,11 +33,11 @@ struct Ray {
   vec3 forward; // level, along the ray
 };
 
-Ray ray_of(ivec2 texel, float azimuth, SkyTableFrame frame) {
-  bool below = texel.y < block.map_rows_below;
+Ray ray_of(int row, float azimuth, SkyTableFrame frame) {
+  bool below = row < block.map_rows_below;
   int rows = imageSize(map).y;
-  float share = below ? float(texel.y) / float(block.map_rows_below - 1)
-                      : float(texel.y - block.map_rows_below) / float(rows - block.map_rows_below - 1);
+  float share = below ? float(row) / float(block.map_rows_below - 1)
+                      : float(row - block.map_rows_below) / float(rows - block.map_rows_below - 1);
   float dip = sky_dip(block.height_km, frame);
   vec3 level = vec3(sin(azimuth), cos(azimuth), 0.0);
   vec3 zenith = vec3(0.0, 0.0, 1.0);
@@ -82,27 +81,40 @@ void store(ivec3 texel, vec4 light) {
   imageStore(map, texel, block.share == 1.0 ? value : mix(imageLoad(map, texel), value, block.share));
 }
 
-void main() {
-  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(texel, imageSize(map).xy))) {
-    return;
+#ifndef OUTSIDE
+// The cosine series over the azimuth that a row has of each slice.
+shared vec4 series[2 * sky_most_lights][sky_azimuths];
+
+vec4 series_log2(int slice, float cos_azimuth) {
+  vec4 sum = vec4(0.0);
+  float before = cos_azimuth; // cos((m - 1) azimuth)
+  float now = 1.0;
+  for (int m = 0; m < sky_azimuths; ++m) {
+    sum += now * series[slice][m];
+    float next = 2.0 * cos_azimuth * now - before;
+    before = now;
+    now = next;
   }
-  SkyTableFrame frame = table_frame();
-  float azimuth = 2.0 * sky_half_turn * (float(texel.x) + 0.5) / float(imageSize(map).x);
-  Ray ray = ray_of(texel, azimuth, frame);
+  return sum;
+}
+#endif
+
+void fill(ivec2 texel, SkyTableFrame frame) {
+  Ray ray = ray_of(texel.y, 2.0 * sky_half_turn * (float(texel.x) + 0.5) / float(imageSize(map).x), frame);
   float path_share = sky_path_share(ray.height_km, ray.altitude_rad, ray.view.meets_ground, frame);
   vec4 sum = vec4(0.0);
   for (int light = 0; light < block.light_count; ++light) {
     vec3 direction = block.lights[light].direction.xyz;
-    vec2 level = vec2(dot(direction, ray.forward), dot(direction, cross(ray.up, ray.forward)));
-    float cos_azimuth = level == vec2(0.0) ? 1.0 : level.x / length(level);
+    float along = dot(direction, ray.forward);
+    float aside = dot(direction, cross(ray.up, ray.forward));
+    float cos_azimuth = along * inversesqrt(max(along * along + aside * aside, 1.0e-20));
 #ifdef OUTSIDE
     float light_altitude = asin(clamp(dot(direction, ray.up), -1.0, 1.0));
     vec4 other = sky_table_log2(other_table, ray.height_km, ray.view, light_altitude, cos_azimuth, frame);
     vec4 aerosol = sky_table_log2(aerosol_table, ray.height_km, ray.view, light_altitude, cos_azimuth, frame);
 #else
-    vec4 other = sky_slice_log2(other_slices[light], ray.view, cos_azimuth);
-    vec4 aerosol = sky_slice_log2(aerosol_slices[light], ray.view, cos_azimuth);
+    vec4 other = series_log2(2 * light, cos_azimuth);
+    vec4 aerosol = series_log2(2 * light + 1, cos_azimuth);
 #endif
     vec4 seen = path_share * exp2(other);
     if (ray.view.meets_ground && block.albedo != vec4(0.0)) {
@@ -113,4 +125,20 @@ void main() {
     store(ivec3(texel, 1 + light), calibrated * (path_share * exp2(aerosol)));
   }
   store(ivec3(texel, 0), sum);
+}
+
+void main() {
+  SkyTableFrame frame = table_frame();
+  int row = int(gl_WorkGroupID.x);
+#ifndef OUTSIDE
+  int slice = int(gl_LocalInvocationID.x) / sky_azimuths;
+  int m = int(gl_LocalInvocationID.x) % sky_azimuths;
+  if (slice < 2 * block.light_count) {
+    series[slice][m] = sky_slice_between(slices, sky_azimuths * slice, ray_of(row, 0.0, frame).view, m);
+  }
+  barrier();
+#endif
+  for (int column = int(gl_LocalInvocationID.x); column < imageSize(map).x; column += int(gl_WorkGroupSize.x)) {
+    fill(ivec2(column, row), frame);
+  }
 }

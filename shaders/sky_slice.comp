@@ -6,8 +6,9 @@
 
 layout(local_size_x = sky_azimuths, local_size_y = 8) in;
 layout(binding = 0) uniform sampler3D table;
-layout(binding = 0, rgba32f) uniform writeonly image2D slice;
+layout(binding = 0, rgba32f) uniform writeonly image2D slices; // side by side
 layout(location = 0) uniform int light;
+layout(location = 1) uniform int slice;
 
 // The row's nodes over the azimuth, gathered once for all numbers of the series.
 shared vec4 nodes[8][sky_azimuths];
@@ -29,6 +30,6 @@ void main() {
     for (int k = 0; k < sky_azimuths; ++k) {
       sum += sky_series_weight(m, k) * nodes[gl_LocalInvocationID.y][k];
     }
-    imageStore(slice, ivec2(m, row), sum);
+    imageStore(slices, ivec2(sky_azimuths * slice + m, row), sum);
   }
 }

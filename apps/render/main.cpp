@@ -115,7 +115,15 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(scene.view) * std::exp2(-options.exposure_stops));
+  Luminance white = gpu::star_chart_white(scene.view);
+  if (kind == OutputKind::png && !plan.lights.empty()) {
+    // What is metered is the light of areas, not of points.
+    FrameOptions metered = frame_options;
+    metered.layers.reset(static_cast<std::size_t>(Layer::stars)).reset(static_cast<std::size_t>(Layer::planets));
+    const View view = gpu::metering_view(scene.view);
+    white = gpu::metered_white(renderer.render(sky, view, plan_frame(sky, view, {}, metered, &plan)), white);
+  }
+  gpu::PlainExposure exposure(shaders, white * std::exp2(-options.exposure_stops));
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::exr;
   outputs.mapping = kind == OutputKind::png ? &exposure : nullptr;

@@ -126,13 +126,10 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
     glBindTextureUnit(2, tables.other().name());
     glBindTextureUnit(3, tables.aerosol().name());
   } else {
-    for (std::size_t light = 0; light < most_lights; ++light) {
-      glBindTextureUnit(static_cast<GLuint>(2 + light), slices_.at(2 * light).name());
-      glBindTextureUnit(static_cast<GLuint>(4 + light), slices_.at(2 * light + 1).name());
-    }
+    glBindTextureUnit(2, slices_.name());
   }
   glBindImageTexture(0, map_.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glDispatchCompute(groups(columns, 16), groups(rows_below + rows_above, 4), 1);
+  glDispatchCompute(rows_below + rows_above, 1, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
@@ -140,19 +137,17 @@ void SkyMap::fill_slices(const SkyTextures& tables, const FramePlan& plan) {
   const f32::SkyTableFrame& frame = tables.tables()->frame;
   const int rows = frame.views_below + frame.views_above;
   if (slice_rows_ != rows) {
-    for (Texture& slice : slices_) {
-      slice = make_texture(f32::sky_azimuths, rows, PixelFormat::rgba32f);
-    }
+    slices_ = make_texture(2 * static_cast<int>(most_lights) * f32::sky_azimuths, rows, PixelFormat::rgba32f);
     slice_rows_ = rows;
   }
   glUseProgram(slice_program_.name());
-  for (std::size_t light = 0; light < std::min(plan.lights.size(), most_lights); ++light) {
-    glProgramUniform1i(slice_program_.name(), 0, static_cast<GLint>(light));
-    for (std::size_t table = 0; table < 2; ++table) {
-      glBindTextureUnit(0, (table == 0 ? tables.other() : tables.aerosol()).name());
-      glBindImageTexture(0, slices_.at(2 * light + table).name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-      glDispatchCompute(1, groups(rows, 8), 1);
-    }
+  glBindImageTexture(0, slices_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  const int slices = 2 * static_cast<int>(std::min(plan.lights.size(), most_lights));
+  for (int slice = 0; slice < slices; ++slice) {
+    glProgramUniform1i(slice_program_.name(), 0, slice / 2);
+    glProgramUniform1i(slice_program_.name(), 1, slice);
+    glBindTextureUnit(0, (slice % 2 == 0 ? tables.other() : tables.aerosol()).name());
+    glDispatchCompute(1, groups(rows, 8), 1);
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }

@@ -7,7 +7,6 @@
 #include "vesper/gpu/sky_textures.hpp"
 #include "vesper/plan/frame_plan.hpp"
 
-#include <array>
 #include <vector>
 
 namespace vesper::gpu {
@@ -37,7 +36,7 @@ private:
 
   ProgramHandle slice_program_;
   ProgramVariants map_programs_;
-  std::array<Texture, 4> slices_; ///< of both tables for the first light, then for the second
+  Texture slices_; ///< side by side: of both tables for the first light, then for the second
   int slice_rows_ = 0;
   Texture map_;
   Texture phase_texture_;

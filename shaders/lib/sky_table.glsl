@@ -209,21 +209,27 @@ FN vec4 sky_slice_texel(sampler3D table, Real height_km, Real light_altitude_rad
   return sum;
 }
 
+// Number m of the series at a view between a slice's rows; x of the slice counts from `first`.
+FN vec4 sky_slice_between(sampler2D slice, int first, SkyViewPlace view, int m) {
+  SkyNodes nodes = sky_nodes(view.place, view.rows);
+  vec4 sum = vec4(Real(0.0));
+  for (int k = 0; k < 4; ++k) {
+    sum += nodes.weights[k] *
+           texelFetch(slice, ivec2(first + m, view.first_row + sky_node(nodes, k, view.rows)), 0);
+  }
+  return sum;
+}
+
 // The logarithm of the mean source in a direction, from a slice: x number of the series, y row.
 FN vec4 sky_slice_log2(sampler2D slice, SkyViewPlace view, Real cos_azimuth) {
-  SkyNodes nodes = sky_nodes(view.place, view.rows);
-  vec4 b1 = vec4(Real(0.0)); // Clenshaw's sums
-  vec4 b2 = vec4(Real(0.0));
   vec4 sum = vec4(Real(0.0));
-  for (int m = sky_azimuths - 1; m >= 0; --m) {
-    vec4 a = vec4(Real(0.0));
-    for (int k = 0; k < 4; ++k) {
-      a += nodes.weights[k] * texelFetch(slice, ivec2(m, view.first_row + sky_node(nodes, k, view.rows)), 0);
-    }
-    sum = a + cos_azimuth * b1 - b2;
-    vec4 b0 = a + Real(2.0) * cos_azimuth * b1 - b2;
-    b2 = b1;
-    b1 = b0;
+  Real before = cos_azimuth; // cos((m - 1) azimuth)
+  Real now = Real(1.0);
+  for (int m = 0; m < sky_azimuths; ++m) {
+    sum += now * sky_slice_between(slice, 0, view, m);
+    Real next = Real(2.0) * cos_azimuth * now - before;
+    before = now;
+    now = next;
   }
   return sum;
 }
