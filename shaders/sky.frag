@@ -1,14 +1,13 @@
 // The light of the air and of the ground below it, added to what is drawn already.
-//
-// Against the tables themselves the map's interpolation costs: see docs and tests/render/sky_pass_test.cpp.
 #include "prelude.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
 #include "lib/sky_table.glsl"
+#include "lib/sky_map.glsl"
 #include "sky_block.glsl"
 
-layout(binding = 0) uniform sampler2DArray map;
-layout(binding = 1) uniform sampler1D phase; // logarithm to base 2, over the root of the sine of half the angle
+layout(binding = 0) uniform sampler2DArray map; // what it holds: sky_map.comp
+layout(binding = 1) uniform sampler1D phase;    // x: the peak of the aerosol's phase function, per steradian
 layout(location = 0) uniform mat3 horizon_from_view;
 layout(location = 1) uniform vec2 size;
 layout(location = 2) uniform float focal;
@@ -17,21 +16,23 @@ layout(location = 4) uniform float first_row; // of the strip that the framebuff
 
 layout(location = 0) out vec4 luminance;
 
-// place: from the horizon (0) to where the map ends (1).
-vec4 light_at(vec3 direction, float azimuth, float place, bool below) {
-  vec2 rows = vec2(textureSize(map, 0).y, block.map_rows_below);
-  float first = below ? 0.5 : rows.y + 0.5;
-  float last = below ? rows.y - 1.0 : rows.x - rows.y - 1.0;
-  vec2 at = vec2(azimuth, (first + place * last) / rows.x);
+// No light above the limb.
+vec4 light_at(vec3 direction, float column, bool below) {
+  vec3 texels = vec3(textureSize(map, 0));
+  float row = sky_map_row(direction.z, below, map_frame());
+  float first = below ? 0.0 : float(block.map_rows_below);
+  float last = below ? float(block.map_rows_below - 1) : texels.y - float(block.map_rows_below + 1);
+  vec2 at = vec2(column + 0.5 / texels.x, (first + min(row, 1.0) * last + 0.5) / texels.y);
   vec4 sum = exp2(textureLod(map, vec3(at, 0.0), 0.0));
   for (int light = 0; light < block.light_count; ++light) {
-    vec3 apart = direction - block.lights[light].apparent.xyz;
-    float steps = float(textureSize(phase, 0) - 1);
-    float angle = sqrt(0.5 * length(apart));
-    float lobe = textureLod(phase, (angle * steps + 0.5) / (steps + 1.0), 0.0).x;
-    sum += exp2(textureLod(map, vec3(at, float(1 + light)), 0.0) + lobe);
+    float cos_angle = dot(direction, block.lights[light].apparent.xyz);
+    if (cos_angle > sky_peak_cos) {
+      float steps = float(textureSize(phase, 0) - 1);
+      float peak = textureLod(phase, (sky_peak_place(cos_angle) * steps + 0.5) / (steps + 1.0), 0.0).x;
+      sum += peak * exp2(textureLod(map, vec3(at, float(1 + light)), 0.0));
+    }
   }
-  return sum;
+  return row <= 1.0001 ? sum : vec4(0.0);
 }
 
 void main() {
@@ -42,22 +43,15 @@ void main() {
     discard;
   }
   vec3 direction = horizon_from_view * view;
-  float across = length(direction.xy);
-  float altitude = atan(direction.z, across);
-  float azimuth = across > 0.0 ? atan(direction.x, direction.y) / (2.0 * sky_half_turn) : 0.0;
-  // As ground.frag: what a pixel at the horizon has on either side.
-  float pixel = inversesqrt(pixels_per_steradian(at, frame));
-  float cover = clamp(0.5 + (horizon_sin_altitude - direction.z) / max(pixel, 1.0e-7), 0.0, 1.0);
-  float over = altitude - block.horizon_rad;
-  luminance = vec4(0.0);
-  if (cover < 1.0) {
-    float range = block.highest_rad - block.horizon_rad;
-    if (over < range || block.highest_rad > 1.57) {
-      luminance = (1.0 - cover) * light_at(direction, azimuth, sqrt(clamp(over / range, 0.0, 1.0)), false);
+  float column = sky_map_column(direction.xy);
+  float depth = horizon_sin_altitude - direction.z;
+  luminance = light_at(direction, column, depth > 0.0);
+  // What a pixel at the horizon has on its other side, weighted as in ground.frag.
+  if (abs(depth) < 0.1) {
+    float pixel = max(inversesqrt(pixels_per_steradian(at, frame)), 1.0e-7);
+    float other = clamp(0.5 - abs(depth) / pixel, 0.0, 0.5);
+    if (other > 0.0) {
+      luminance = mix(luminance, light_at(direction, column, depth <= 0.0), other);
     }
-  }
-  if (cover > 0.0) {
-    float range = 0.5 * sky_half_turn + block.horizon_rad;
-    luminance += cover * light_at(direction, azimuth, sqrt(clamp(-over / range, 0.0, 1.0)), true);
   }
 }

@@ -22,8 +22,8 @@ layout(std140, binding = 1) uniform SkyBlock {
   float height_km;    // of the observer
   int light_count;
   float share;        // of these tables in the map; the rest stays as it is
-  float horizon_rad;  // altitude of the horizon as it is seen, which falls on the map's
-  float highest_rad;  // altitude as it is seen where the map ends: the zenith, or the top of the limb from outside
+  float sin_horizon;  // SkyMapFrame
+  float sin_highest;
   int map_rows_below; // rows of the map that meet the ground
 } block;
 
@@ -35,3 +35,5 @@ SkyTableFrame table_frame() {
 SkyTransmittanceFrame transmittance_frame() {
   return SkyTransmittanceFrame(block.transmittance_altitudes, block.transmittance_heights);
 }
+
+SkyMapFrame map_frame() { return SkyMapFrame(block.sin_horizon, block.sin_highest); }

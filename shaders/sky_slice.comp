@@ -2,6 +2,7 @@
 #include "prelude.glsl"
 #include "lib/refraction.glsl"
 #include "lib/sky_table.glsl"
+#include "lib/sky_map.glsl"
 #include "sky_block.glsl"
 
 layout(local_size_x = sky_azimuths, local_size_y = 8) in;

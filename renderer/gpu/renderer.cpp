@@ -86,7 +86,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     graph.add("ground", [&](const Strip& strip) { ground_pass_.draw(strip); });
   }
   if (!plan.lights.empty()) {
-    timed("sky", timings, [&] { sky_pass_.prepare(sky, view, plan); });
+    timed("sky map", timings, [&] { sky_pass_.prepare(sky, view, plan); });
     graph.add("sky", [&](const Strip& strip) { sky_pass_.draw(strip); });
   }
 

@@ -37,8 +37,8 @@ struct SkyBlock {
   float height_km;
   std::int32_t light_count;
   float share;
-  float horizon_rad;
-  float highest_rad;
+  float sin_horizon;
+  float sin_highest;
   std::int32_t map_rows_below;
   std::array<float, 2> padding;
 };
@@ -87,12 +87,12 @@ SkyBlock block_of(const SkyTables& tables, const FramePlan& plan, Length height,
   block.transmittance_heights = tables.transmittance_frame.heights;
   block.height_km = static_cast<float>(height.to(kilometre));
   block.share = static_cast<float>(share);
-  const double horizon = std::asin(plan.horizon_sin_altitude);
-  block.horizon_rad = static_cast<float>(horizon);
-  block.highest_rad =
-      is_outside(tables, height)
-          ? static_cast<float>(horizon) + f32::sky_dip(block.height_km, frame) - f32::sky_limb_dip(block.height_km, frame)
-          : static_cast<float>(0.5 * std::numbers::pi);
+  block.sin_horizon = static_cast<float>(plan.horizon_sin_altitude);
+  block.sin_highest = 1.0F;
+  if (is_outside(tables, height)) {
+    const float limb = f32::sky_dip(block.height_km, frame) - f32::sky_limb_dip(block.height_km, frame);
+    block.sin_highest = static_cast<float>(std::sin(std::asin(plan.horizon_sin_altitude) + static_cast<double>(limb)));
+  }
   block.map_rows_below = SkyMap::rows_below;
   return block;
 }
@@ -122,11 +122,12 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
   glUseProgram(program.name());
   glBindTextureUnit(0, tables.transmittance().name());
   glBindTextureUnit(1, tables.ground().name());
+  glBindTextureUnit(2, phase_texture_.name());
   if (outside) {
-    glBindTextureUnit(2, tables.other().name());
-    glBindTextureUnit(3, tables.aerosol().name());
+    glBindTextureUnit(3, tables.other().name());
+    glBindTextureUnit(4, tables.aerosol().name());
   } else {
-    glBindTextureUnit(2, slices_.name());
+    glBindTextureUnit(3, slices_.name());
   }
   glBindImageTexture(0, map_.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
   glDispatchCompute(rows_below + rows_above, 1, 1);
@@ -158,12 +159,24 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
   }
   phase_of_ = share == 1.0F ? tables : nullptr;
   phase_.resize(4 * phase_texels);
+  const auto log2_phase = [&](float cos_angle) {
+    return std::log2(f32::sky_aerosol_phase(line_sampler(tables->phase), cos_angle,
+                                            static_cast<int>(tables->phase.size())));
+  };
+  // Without its peak the logarithm goes on in a straight line over the cosine.
+  constexpr float step = 0.01F;
+  const float slope = (log2_phase(f32::sky_peak_cos + step) - log2_phase(f32::sky_peak_cos - step)) / (2.0F * step);
+  const auto without_peak = [&](float cos_angle) {
+    return cos_angle < f32::sky_peak_cos
+               ? log2_phase(cos_angle)
+               : log2_phase(f32::sky_peak_cos) + slope * (cos_angle - f32::sky_peak_cos);
+  };
   for (std::size_t i = 0; i < phase_texels; ++i) {
-    const float root = static_cast<float>(i) / (phase_texels - 1);
-    const float half_sine2 = root * root * root * root;
-    const float lobe = std::log2(f32::sky_aerosol_phase(line_sampler(tables->phase), 1.0F - 2.0F * half_sine2,
-                                                        static_cast<int>(tables->phase.size())));
-    phase_[4 * i] = glm::mix(phase_[4 * i], lobe, share);
+    const float half_sine2 = std::pow(static_cast<float>(i) / (phase_texels - 1), 4.0F);
+    const float near_cos = 1.0F - half_sine2 * (1.0F - f32::sky_peak_cos);
+    const float peak = std::exp2(log2_phase(near_cos)) - std::exp2(without_peak(near_cos));
+    phase_[4 * i] = glm::mix(phase_[4 * i], peak, share);
+    phase_[4 * i + 1] = glm::mix(phase_[4 * i + 1], without_peak(1.0F - 2.0F * half_sine2), share);
   }
   phase_texture_ = make_row_texture(phase_);
   interpolate(phase_texture_, TextureEdge::ends);

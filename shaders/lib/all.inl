@@ -6,6 +6,7 @@
 #include "vesper/shaders/lib/refraction.glsl"
 #include "vesper/shaders/lib/extinction.glsl"
 #include "vesper/shaders/lib/sky_table.glsl"
+#include "vesper/shaders/lib/sky_map.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"

@@ -240,21 +240,15 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
   SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
   SkyNodes lights = sky_nodes(sky_light_place(light_altitude_rad, frame), frame.lights);
   SkyNodes rows = sky_nodes(view.place, view.rows);
+  // The series through the nodes, in its barycentric form (Berrut and Trefethen 2004, SIAM Review 46, 501).
   int last = sky_azimuths - 1;
   vec4 sum = vec4(Real(0.0));
+  Real all = Real(0.0);
   for (int k = 0; k < sky_azimuths; ++k) {
-    // The node's share in the series: sum over m of the node's part of coefficient m times cos(m azimuth).
-    Real share = Real(0.0);
-    Real before = cos_azimuth; // cos((m - 1) azimuth)
-    Real now = Real(1.0);
-    for (int m = 0; m < sky_azimuths; ++m) {
-      Real weight = m == 0 || m == last ? Real(0.5) : Real(1.0);
-      share += weight * now * cos(sky_half_turn * Real(m * k) / Real(last));
-      Real next = Real(2.0) * cos_azimuth * now - before;
-      before = now;
-      now = next;
-    }
-    share *= (k == 0 || k == last ? Real(1.0) : Real(2.0)) / Real(last);
+    Real apart = cos_azimuth - cos(sky_half_turn * Real(k) / Real(last));
+    Real share = (k == 0 || k == last ? Real(0.5) : Real(1.0)) / (abs(apart) < Real(1.0e-6) ? Real(1.0e-6) : apart);
+    share = k % 2 == 0 ? share : -share;
+    all += share;
     for (int r = 0; r < 4; ++r) {
       if (rows.weights[r] != Real(0.0)) {
         int row = view.first_row + sky_node(rows, r, view.rows);
@@ -262,7 +256,7 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
       }
     }
   }
-  return sum;
+  return sum / all;
 }
 
 // Share of a light that is left after the air toward space, as a logarithm to base 2 of X, Y, Z and S, for a view that
@@ -286,6 +280,9 @@ FN vec4 sky_transmittance_log2(sampler2D table, Real height_km, Real altitude_ra
   SkyNodes rows = sky_nodes(sqrt(share) * Real(nodes.heights - 1), nodes.heights);
   vec4 sum = vec4(Real(0.0));
   for (int r = 0; r < 4; ++r) {
+    if (rows.weights[r] == Real(0.0)) {
+      continue;
+    }
     for (int c = 0; c < 4; ++c) {
       sum += rows.weights[r] * columns.weights[c] *
              texelFetch(table, ivec2(sky_node(columns, c, nodes.altitudes), sky_node(rows, r, nodes.heights)), 0);
