@@ -22,9 +22,10 @@ layout(std140, binding = 1) uniform SkyBlock {
   float height_km;    // of the observer
   int light_count;
   float share;        // of these tables in the map; the rest stays as it is
-  float sin_horizon;  // SkyMapFrame
-  float sin_highest;
   int map_rows_below; // rows of the map that meet the ground
+  float sin_horizon;  // of the altitudes, as they are seen, of the horizon and of where the map ends
+  float sin_highest;
+  vec4 map_half_sines; // SkyMapFrame
 } block;
 
 SkyTableFrame table_frame() {
@@ -36,4 +37,6 @@ SkyTransmittanceFrame transmittance_frame() {
   return SkyTransmittanceFrame(block.transmittance_altitudes, block.transmittance_heights);
 }
 
-SkyMapFrame map_frame() { return SkyMapFrame(block.sin_horizon, block.sin_highest); }
+SkyMapFrame map_frame() {
+  return SkyMapFrame(block.map_half_sines.x, block.map_half_sines.y, block.map_half_sines.z);
+}

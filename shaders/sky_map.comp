@@ -4,7 +4,7 @@
 // Layer 0 holds all light, the ground's included, but the peak of what aerosol scattered once; layers 1 and 2 hold what
 // that peak is multiplied by, of one light each. All are logarithms to base 2 of X, Y, Z and S, which linear
 // interpolation keeps better than the light itself where that falls steeply. Columns and rows: lib/sky_map.glsl, the
-// rows that meet the ground first. OUTSIDE is for an observer above the air: each ray enters it at a place with its own
+// rows that meet the ground first, from nadir to horizon to zenith. OUTSIDE is for an observer above the air: each ray enters it at a place with its own
 // altitude of the light.
 #include "prelude.glsl"
 #include "lib/refraction.glsl"
@@ -15,7 +15,7 @@
 layout(local_size_x = 64) in; // a group makes a row
 layout(binding = 0, rgba32f) uniform image2DArray map;
 layout(binding = 0) uniform sampler2D transmittance;
-layout(binding = 1) uniform sampler1D ground;
+layout(binding = 1) uniform sampler2D ground; // its illuminance, a row for each light: sky_ground.comp
 layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the phase function without its peak
 #ifdef OUTSIDE
 layout(binding = 3) uniform sampler3D other_table;
@@ -46,7 +46,7 @@ Row row_of(int number, SkyTableFrame frame) {
   Row row;
   row.below = number < block.map_rows_below;
   int rows = row.below ? block.map_rows_below : imageSize(map).y - block.map_rows_below;
-  float place = float(row.below ? number : number - block.map_rows_below) / float(rows - 1);
+  float place = float(row.below ? rows - 1 - number : number - block.map_rows_below) / float(rows - 1);
   row.seen_rad = sky_map_altitude_rad(place, row.below, map_frame());
   // The horizon that is seen falls on that of straight rays, zenith and nadir on themselves.
   float horizon = asin(block.sin_horizon);
@@ -130,11 +130,10 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float lobe_place = sky_phase_place(dot(seen, block.lights[light].apparent.xyz));
     float lobe = textureLod(phase, (min(lobe_place, 1.0) * steps + 0.5) / (steps + 1.0), 0.0).y;
     vec4 arriving = row.path_share * (exp2(other) + exp2(aerosol + lobe));
-    if (row.below && block.albedo != vec4(0.0)) {
-      float light_altitude = asin(clamp(dot(ground_up, direction), -1.0, 1.0));
-      arriving += row.ground_share * sky_ground_illuminance(ground, transmittance, block.sunlight, light_altitude,
-                                                            block.lights[light].direction.w, transmittance_frame(), frame);
-    }
+    vec2 nodes = vec2(textureSize(ground, 0));
+    float light_place = sky_light_share(asin(clamp(dot(ground_up, direction), -1.0, 1.0)));
+    vec2 at = (vec2(light_place * (nodes.x - 1.0), float(light)) + 0.5) / nodes;
+    arriving += row.ground_share * textureLod(ground, at, 0.0);
     mat4 calibrated = block.lights[light].xyzs_from_sunlight;
     sum += calibrated * arriving;
     store(ivec3(texel, 1 + light), calibrated * (row.path_share * exp2(aerosol)));

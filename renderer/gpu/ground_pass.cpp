@@ -16,7 +16,7 @@ void GroundPass::prepare(const View& view, const FramePlan& plan) {
 }
 
 void GroundPass::draw(const Strip& strip) {
-  glProgramUniform1f(program_->name(), 4, static_cast<float>(strip.first_row));
+  set_strip(*program_, strip);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ZERO, GL_ONE_MINUS_SRC_ALPHA);
   glUseProgram(program_->name());

@@ -18,4 +18,8 @@ void set_picture(const ProgramHandle& program, const View& view, const FramePlan
   glProgramUniform1f(program.name(), 3, static_cast<float>(plan.horizon_sin_altitude));
 }
 
+void set_strip(const ProgramHandle& program, const Strip& strip) {
+  glProgramUniform2f(program.name(), 4, static_cast<float>(strip.first_row), static_cast<float>(strip.rows));
+}
+
 } // namespace vesper::gpu

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_lights = 2;
 constexpr int phase_texels = 1024;
+constexpr int ground_texels = 1024;
 
 struct SkyBlockLight {
   std::array<float, 16> xyzs_from_sunlight;
@@ -37,13 +38,14 @@ struct SkyBlock {
   float height_km;
   std::int32_t light_count;
   float share;
+  std::int32_t map_rows_below;
   float sin_horizon;
   float sin_highest;
-  std::int32_t map_rows_below;
   std::array<float, 2> padding;
+  std::array<float, 4> map_half_sines;
 };
 static_assert(sizeof(SkyBlockLight) == 96 && offsetof(SkyBlock, sunlight) == 192 && offsetof(SkyBlock, ground_km) == 224 &&
-              offsetof(SkyBlock, height_km) == 256 && sizeof(SkyBlock) == 288);
+              offsetof(SkyBlock, height_km) == 256 && offsetof(SkyBlock, map_half_sines) == 288 && sizeof(SkyBlock) == 304);
 
 std::array<float, 4> array_of(const Vec3& v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
@@ -93,6 +95,8 @@ SkyBlock block_of(const SkyTables& tables, const FramePlan& plan, Length height,
     const float limb = f32::sky_dip(block.height_km, frame) - f32::sky_limb_dip(block.height_km, frame);
     block.sin_highest = static_cast<float>(std::sin(std::asin(plan.horizon_sin_altitude) + static_cast<double>(limb)));
   }
+  const f32::SkyMapFrame map = f32::sky_map_frame(block.sin_horizon, block.sin_highest);
+  block.map_half_sines = {map.nadir_to_horizon, map.zenith_to_horizon, map.zenith_to_end, 0.0F};
   block.map_rows_below = SkyMap::rows_below;
   return block;
 }
@@ -102,10 +106,13 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 } // namespace
 
 SkyMap::SkyMap(const ShaderLibrary& library)
-    : slice_program_(build_program(library, {"sky_slice.comp"})), map_programs_(library, {"sky_map.comp"}),
+    : slice_program_(build_program(library, {"sky_slice.comp"})), ground_program_(build_program(library, {"sky_ground.comp"})),
+      map_programs_(library, {"sky_map.comp"}),
       map_(make_layered_texture(columns, rows_below + rows_above, 1 + static_cast<int>(most_lights))),
+      ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
       uniforms_(make_dynamic_buffer(sizeof(SkyBlock))) {
   interpolate(map_, TextureEdge::joins);
+  interpolate(ground_, TextureEdge::ends);
 }
 
 void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length height, double share) {
@@ -117,11 +124,12 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
   if (!outside) {
     fill_slices(tables, plan);
   }
+  fill_ground(tables);
   const ProgramHandle& program = map_programs_.get(outside ? std::vector<std::string>{"OUTSIDE"}
                                                            : std::vector<std::string>{});
   glUseProgram(program.name());
   glBindTextureUnit(0, tables.transmittance().name());
-  glBindTextureUnit(1, tables.ground().name());
+  glBindTextureUnit(1, ground_.name());
   glBindTextureUnit(2, phase_texture_.name());
   if (outside) {
     glBindTextureUnit(3, tables.other().name());
@@ -150,6 +158,15 @@ void SkyMap::fill_slices(const SkyTextures& tables, const FramePlan& plan) {
     glBindTextureUnit(0, (slice % 2 == 0 ? tables.other() : tables.aerosol()).name());
     glDispatchCompute(1, groups(rows, 8), 1);
   }
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void SkyMap::fill_ground(const SkyTextures& tables) {
+  glUseProgram(ground_program_.name());
+  glBindTextureUnit(0, tables.transmittance().name());
+  glBindTextureUnit(1, tables.ground().name());
+  glBindImageTexture(0, ground_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  glDispatchCompute(groups(ground_texels, 64), most_lights, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

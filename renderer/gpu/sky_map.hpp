@@ -32,13 +32,16 @@ public:
 
 private:
   void fill_slices(const SkyTextures& tables, const FramePlan& plan);
+  void fill_ground(const SkyTextures& tables);
   void fill_phase(const std::shared_ptr<const SkyTables>& tables, float share);
 
   ProgramHandle slice_program_;
+  ProgramHandle ground_program_;
   ProgramVariants map_programs_;
   Texture slices_; ///< side by side: of both tables for the first light, then for the second
   int slice_rows_ = 0;
   Texture map_;
+  Texture ground_; ///< its illuminance under each light
   Texture phase_texture_;
   std::vector<float> phase_;
   std::shared_ptr<const SkyTables> phase_of_; ///< null while it is a blend

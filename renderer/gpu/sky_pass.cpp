@@ -3,6 +3,7 @@
 #include "vesper/gpu/picture_uniforms.hpp"
 #include "vesper/sky/sky_light.hpp"
 
+#include <algorithm>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <limits>
@@ -10,7 +11,8 @@
 namespace vesper::gpu {
 
 SkyPass::SkyPass(const ShaderLibrary& library)
-    : map_(library), programs_(library, {"fullscreen.vert", "sky.frag"}), no_vertices_(make_vertex_array()) {}
+    : map_(library), programs_(library, {"fullscreen.vert", "sky.frag"}),
+      peak_programs_(library, {"sky_peak.vert", "sky.frag"}), no_vertices_(make_vertex_array()) {}
 
 double SkyPass::advance(const std::shared_ptr<const SkyTables>& wanted) {
   constexpr std::size_t bytes_per_frame = std::size_t{2} << 20U;
@@ -48,18 +50,27 @@ void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& pl
   if (share > 0.0) {
     map_.fill(*next_, plan, height, share);
   }
-  program_ = &programs_.get({fmt::format("PROJECTION {}", static_cast<int>(view.projection))});
+  const std::string projection = fmt::format("PROJECTION {}", static_cast<int>(view.projection));
+  program_ = &programs_.get({projection});
+  peak_program_ = &peak_programs_.get({projection, "PEAK"});
   set_picture(*program_, view, plan);
+  set_picture(*peak_program_, view, plan);
+  const auto tiles = [](int side) { return std::clamp((side + 47) / 48, 1, 64); }; // of 48 pixels or more
+  glProgramUniform2i(peak_program_->name(), 5, tiles(view.width), tiles(view.height));
+  peak_tiles_ = tiles(view.width) * tiles(view.height) * static_cast<int>(plan.lights.size());
 }
 
 void SkyPass::draw(const Strip& strip) {
-  glProgramUniform1f(program_->name(), 4, static_cast<float>(strip.first_row));
+  set_strip(*program_, strip);
+  set_strip(*peak_program_, strip);
   map_.bind();
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glUseProgram(program_->name());
   glBindVertexArray(no_vertices_.name());
+  glUseProgram(program_->name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glUseProgram(peak_program_->name());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, peak_tiles_);
   glDisable(GL_BLEND);
 }
 

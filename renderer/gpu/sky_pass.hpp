@@ -35,8 +35,11 @@ private:
 
   SkyMap map_;
   ProgramVariants programs_;
+  ProgramVariants peak_programs_;
   VertexArray no_vertices_;
   const ProgramHandle* program_ = nullptr;
+  const ProgramHandle* peak_program_ = nullptr;
+  int peak_tiles_ = 0; ///< of all lights
   std::optional<SkyTextures> now_;
   std::optional<SkyTextures> next_;
   int change_frames_ = 0;

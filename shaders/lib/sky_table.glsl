@@ -70,19 +70,26 @@ CONSTANT Real sky_lowest_light_rad = Real(-0.62831853); // -36 degrees
 CONSTANT Real sky_dusk_rad = Real(-0.08726646);         // -5 degrees, where they are densest
 CONSTANT Real sky_dusk_width_rad = Real(0.13962634);    // 8 degrees
 
-FN Real sky_light_place(Real altitude_rad, SkyTableFrame frame) {
+// 0 to 1 for the lowest and the highest.
+FN Real sky_light_share(Real altitude_rad) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
   Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
   Real x = arc_sinh((altitude_rad - sky_dusk_rad) / sky_dusk_width_rad);
-  return clamp((x - first) / (last - first), Real(0.0), Real(1.0)) * Real(frame.lights - 1);
+  return clamp((x - first) / (last - first), Real(0.0), Real(1.0));
 }
 
-FN Real sky_node_light_rad(int i, SkyTableFrame frame) {
+FN Real sky_light_rad(Real share) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
   Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
-  Real x = mix(first, last, Real(i) / Real(frame.lights - 1));
+  Real x = mix(first, last, share);
   return sky_dusk_rad + sky_dusk_width_rad * Real(0.5) * (exp(x) - exp(-x));
 }
+
+FN Real sky_light_place(Real altitude_rad, SkyTableFrame frame) {
+  return sky_light_share(altitude_rad) * Real(frame.lights - 1);
+}
+
+FN Real sky_node_light_rad(int i, SkyTableFrame frame) { return sky_light_rad(Real(i) / Real(frame.lights - 1)); }
 
 // 1 - exp(-x) for x >= 0, exact also where x is small.
 FN Real sky_share_taken(Real x) { return x < Real(1.0e-2) ? x * (Real(1.0) - x * (Real(0.5) - x / Real(6.0))) : Real(1.0) - exp(-x); }
