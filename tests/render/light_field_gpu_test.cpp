@@ -3,7 +3,8 @@
 
 #include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
-#include "vesper/gpu/light_field_solver.hpp"
+#include "vesper/atmosphere/sky_tables.hpp"
+#include "vesper/gpu/light_gatherer.hpp"
 
 #include "support/truth.hpp"
 
@@ -86,6 +87,25 @@ TEST_F(LightFieldGpu, AirWithoutAerosol) {
   Medium medium = published_medium();
   medium.components.erase(medium.components.begin() + 1);
   compare(shaders, medium, {440.0}, "molecules alone");
+}
+
+TEST_F(LightFieldGpu, TablesOfTheSky) {
+  const SkyTableSize small{3, 2, 4, 12};
+  const SkyTables expected = make_sky_tables(published_medium(), small);
+  const SkyTables tables = make_sky_tables(published_medium(), small, 0, {}, [this](const LightFieldModel& model) {
+    gpu::GpuLightGatherer gatherer(shaders, model);
+    return solve_light_field(model, gatherer, 0);
+  });
+  ErrorSum errors;
+  for (std::size_t k = 0; k < expected.other.size(); ++k) {
+    for (int i = 0; i < 4; ++i) {
+      // Logarithms to base 2 of luminance; below, twilight is over.
+      if (expected.other[k][i] > -30.0F) {
+        errors.add(std::exp2(static_cast<double>(tables.other[k][i] - expected.other[k][i])) - 1.0);
+      }
+    }
+  }
+  errors.hold("tables of the sky from the GPU's light field, relative", 1.0e-4, "");
 }
 
 } // namespace
