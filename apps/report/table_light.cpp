@@ -23,8 +23,8 @@ SourceLight source_light(const SkyTables& tables, Length height, const SkyLight&
 } // namespace
 
 Mat4 from_table_light(const SkyLight& light) {
-  const double lux = integrate_xyzs(light.irradiance).y;
-  return lux > 0.0 ? lux * response_matrix(solar_irradiance_1au(), light.irradiance) : Mat4(0.0);
+  const double all = integrate_xyzs(light.irradiance).y;
+  return all > 0.0 ? all * response_matrix(solar_irradiance_1au(), light.irradiance) : Mat4(0.0);
 }
 
 SceneLight table_light(const SkyTables& tables, Length height, const std::vector<SkyLight>& lights) {

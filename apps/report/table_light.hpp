@@ -12,8 +12,8 @@ namespace vesper {
 
 /// What a light gives at a place.
 struct SourceLight {
-  double direct_lux = 0.0;            ///< on a level surface, by itself
-  double diffuse_lux = 0.0;           ///< on the same, by way of air and ground
+  double direct_lux = 0.0;             ///< on a level surface, by itself
+  double diffuse_lux = 0.0;            ///< on the same, by way of air and ground
   double zenith_luminance_cd_m2 = 0.0; ///< of the sky, without discs
 };
 

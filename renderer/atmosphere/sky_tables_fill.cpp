@@ -44,7 +44,7 @@ class Filler {
 public:
   Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress,
          const LightFieldSolver& solver)
-      : threads_(threads), progress_(progress), solver_(solver), air_(medium),
+      : threads_(threads), progress_(progress), field_size_(size.field), solver_(solver), air_(medium),
         rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), optics_(medium, rule_.wavelengths_nm) {
     const Xyzs sun = rule_.weights(std::vector<double>(optics_.size(), 1.0));
     lux_ = sun.y;
@@ -70,9 +70,9 @@ public:
 private:
   [[nodiscard]] LightField solve() const {
     if (!solver_) {
-      return {air_, optics_, {}, threads_};
+      return {air_, optics_, field_size_, threads_};
     }
-    const LightFieldModel model(air_, optics_, {}, threads_);
+    const LightFieldModel model(air_, optics_, field_size_, threads_);
     return {model, solver_(model)};
   }
 
@@ -173,6 +173,7 @@ private:
 
   unsigned threads_;
   const Progress& progress_;
+  LightFieldSize field_size_;
   const LightFieldSolver& solver_;
   SampledAir air_;
   SpectralRule rule_;

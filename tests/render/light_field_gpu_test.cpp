@@ -17,9 +17,10 @@ namespace {
 
 using LightFieldGpu = RenderTest;
 
+constexpr LightFieldSize small{8, 10, 4, 8, 3, 0.3, 1.0, 0.1, 4};
+
 void compare(const gpu::ShaderLibrary& shaders, const Medium& medium, const std::vector<double>& wavelengths_nm,
              const std::string& name) {
-  const LightFieldSize small{8, 10, 4, 8, 3, 0.3, 1.0, 0.1, 4};
   const SampledAir air(medium);
   const SpectralAir optics(medium, wavelengths_nm);
   const LightFieldModel model(air, optics, small, 0);
@@ -90,9 +91,9 @@ TEST_F(LightFieldGpu, AirWithoutAerosol) {
 }
 
 TEST_F(LightFieldGpu, TablesOfTheSky) {
-  const SkyTableSize small{3, 2, 4, 12};
-  const SkyTables expected = make_sky_tables(published_medium(), small);
-  const SkyTables tables = make_sky_tables(published_medium(), small, 0, {}, [this](const LightFieldModel& model) {
+  const SkyTableSize size{3, 2, 4, 12, small};
+  const SkyTables expected = make_sky_tables(published_medium(), size);
+  const SkyTables tables = make_sky_tables(published_medium(), size, 0, {}, [this](const LightFieldModel& model) {
     gpu::GpuLightGatherer gatherer(shaders, model);
     return solve_light_field(model, gatherer, 0);
   });
