@@ -67,6 +67,40 @@ std::vector<f32::vec4> transmittance_table(const SampledAir& air,
   return table;
 }
 
+std::vector<f32::vec4> ground_view_table(const SampledAir& air,
+                                         const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
+                                         unsigned threads) {
+  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
+  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
+  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
+  const double ground_km = air.ground_km();
+  std::vector<f32::vec4> table(columns * rows);
+  parallel_for(
+      rows, 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin * columns; k < end * columns; ++k) {
+          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
+          // At the ground itself the way has no length.
+          constexpr double least_km = 1.0e-3;
+          const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);
+          const double dip = std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
+          const auto altitude = static_cast<double>(
+              f32::sky_ground_view_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
+          // The horizon itself counts as ground.
+          constexpr double aside_rad = 2.0e-6;
+          const AirRay ray = air.ray(ground_km + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
+          SampledAir::PerComponent sum{};
+          air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
+            air.add_columns(ray, from, to, sum);
+            return true;
+          });
+          table[k] = texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
+        }
+      },
+      threads);
+  return table;
+}
+
 f32::vec4 log2_of(const f32::vec4& light, float least_log2) {
   f32::vec4 result;
   for (int i = 0; i < 4; ++i) {

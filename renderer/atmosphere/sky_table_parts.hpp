@@ -24,6 +24,12 @@ inline constexpr int sky_phase_nodes = 256;
 transmittance_table(const SampledAir& air, const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
                     unsigned threads);
 
+/// The table of sky_ground_view_log2: the same texels of the air between an observer and the ground, over the way in
+/// km.
+[[nodiscard]] std::vector<f32::vec4>
+ground_view_table(const SampledAir& air, const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
+                  unsigned threads);
+
 /// Logarithm to base 2, not below the least.
 [[nodiscard]] f32::vec4 log2_of(const f32::vec4& light, float least_log2);
 

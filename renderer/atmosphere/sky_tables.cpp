@@ -14,7 +14,7 @@ f32::sampler3D sampler(const SkyTables& tables, const std::vector<f32::vec4>& sc
 }
 
 f32::sampler2D transmittance_sampler(const SkyTables& tables) {
-  return {tables.transmittance.data(), tables.transmittance_frame.altitudes, tables.transmittance_frame.heights};
+  return {tables.transmittance.data(), tables.transmittance_frame.altitudes, 2 * tables.transmittance_frame.heights};
 }
 
 f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels) {

@@ -30,9 +30,9 @@ struct SkyTables {
   std::vector<f32::vec4> ground;  ///< diffuse illuminance of level ground, by altitude of the light
   std::vector<f32::vec4> phase;   ///< of the aerosol, by angle
   f32::SkyTransmittanceFrame transmittance_frame{};
-  std::vector<f32::vec4> transmittance;
-  f32::vec4 light{};  ///< X, Y, Z, S of 1 lux of sunlight
-  f32::vec4 albedo{}; ///< of the ground, in sunlight
+  std::vector<f32::vec4> transmittance; ///< twice the frame's heights: toward space, then from the ground
+  f32::vec4 light{};                    ///< X, Y, Z, S of 1 lux of sunlight
+  f32::vec4 albedo{};                   ///< of the ground, in sunlight
 };
 
 /// The samplers of the tables, for the functions of sky_table.glsl. The tables outlive them.

@@ -96,16 +96,16 @@ private:
 
   void fill_transmittance() {
     tables_.transmittance_frame = sky_transmittance_nodes;
-    tables_.transmittance = transmittance_table(
-        air_,
-        [&](const SampledAir::PerComponent& columns) {
-          std::vector<double> left(optics_.size());
-          for (std::size_t l = 0; l < optics_.size(); ++l) {
-            left[l] = std::exp(-optics_.optical_depth(columns, l));
-          }
-          return log2_of(responses(left) / tables_.light, darkest_log2);
-        },
-        threads_);
+    const auto texel = [&](const SampledAir::PerComponent& columns) {
+      std::vector<double> left(optics_.size());
+      for (std::size_t l = 0; l < optics_.size(); ++l) {
+        left[l] = std::exp(-optics_.optical_depth(columns, l));
+      }
+      return log2_of(responses(left) / tables_.light, darkest_log2);
+    };
+    tables_.transmittance = transmittance_table(air_, texel, threads_);
+    const std::vector<f32::vec4> from_ground = ground_view_table(air_, texel, threads_);
+    tables_.transmittance.insert(tables_.transmittance.end(), from_ground.begin(), from_ground.end());
     std::vector<double> albedo;
     for (std::size_t l = 0; l < optics_.size(); ++l) {
       albedo.push_back(optics_.albedo(l));

@@ -268,7 +268,8 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
 }
 
 // Share of a light that is left after the air toward space, as a logarithm to base 2 of X, Y, Z and S, for a view that
-// is free of the ground. x: altitude over the horizon, crowded there; y: height.
+// is free of the ground. x: altitude over the horizon, crowded there; y: height. As many rows follow for views of the
+// ground (sky_ground_view_log2).
 struct SkyTransmittanceFrame {
   int altitudes;
   int heights;
@@ -331,18 +332,36 @@ FN Real sky_aerosol_phase(sampler1D table, Real cos_angle, int count) {
   return exp2(sum);
 }
 
+// Way from an observer to the ground, km, for a view that meets it.
+FN Real sky_ground_distance_km(Real height_km, Real altitude_rad, SkyTableFrame frame) {
+  Real above = height_km * (Real(2.0) * frame.ground_km + height_km);
+  Real rise = (frame.ground_km + height_km) * sin(altitude_rad);
+  return above / max(sqrt(max(rise * rise - above, Real(0.0))) - rise, Real(1.0e-3));
+}
+
+FN Real sky_ground_view_node_rad(int i, Real dip_rad, SkyTransmittanceFrame nodes) {
+  Real place = Real(i) / Real(nodes.altitudes - 1);
+  return (dip_rad - Real(0.5) * sky_half_turn) * place * place - dip_rad;
+}
+
 // Share of a light that passes from a point of the ground to an observer, as a logarithm to base 2; the altitude is
-// that of the point as the observer sees it, below the horizon.
+// that of the point as the observer sees it, below the horizon. The rows behind those of the transmittance toward space
+// hold it over the way, in km: the quotient of two shares would not do, since what has lost its blue loses less.
 FN vec4 sky_ground_view_log2(sampler2D transmittance, Real height_km, Real altitude_rad, SkyTransmittanceFrame nodes,
                              SkyTableFrame frame) {
-  Real h = max(height_km, Real(0.0));
-  Real rise = (frame.ground_km + h) * sin(altitude_rad);
-  Real root = sqrt(max(rise * rise - h * (Real(2.0) * frame.ground_km + h), Real(0.0)));
-  Real from_ground_rad = asin(clamp(root / frame.ground_km, Real(0.0), Real(1.0)));
-  // The same ray upwards: all of the air along it, less what lies behind the observer.
-  vec4 all = sky_transmittance_log2(transmittance, Real(0.0), from_ground_rad, nodes, frame);
-  vec4 behind = sky_transmittance_log2(transmittance, h, -altitude_rad, nodes, frame);
-  return min(all - behind, vec4(Real(0.0)));
+  Real h = clamp(height_km, Real(0.0), frame.top_km - frame.ground_km);
+  Real dip = sky_dip(h, frame);
+  Real under = clamp(-(altitude_rad + dip) / (Real(0.5) * sky_half_turn - dip), Real(0.0), Real(1.0));
+  SkyNodes columns = sky_nodes(sqrt(under) * Real(nodes.altitudes - 1), nodes.altitudes);
+  SkyNodes rows = sky_nodes(sqrt(h / (frame.top_km - frame.ground_km)) * Real(nodes.heights - 1), nodes.heights);
+  vec4 sum = vec4(Real(0.0));
+  for (int r = 0; r < 4; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      ivec2 texel = ivec2(sky_node(columns, c, nodes.altitudes), nodes.heights + sky_node(rows, r, nodes.heights));
+      sum += rows.weights[r] * columns.weights[c] * texelFetch(transmittance, texel, 0);
+    }
+  }
+  return min(sum * sky_ground_distance_km(h, altitude_rad, frame), vec4(Real(0.0)));
 }
 
 // Illuminance of level ground at sea level above 1 lux of sunlight: direct and diffuse.

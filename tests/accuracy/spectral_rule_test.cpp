@@ -36,7 +36,7 @@ SkySpectra sky_spectra(const Medium& medium) {
   SkySpectra result{medium.wavelengths_nm, {}};
   const SampledAir air(medium);
   const SpectralAir optics(medium, medium.wavelengths_nm);
-  const LightField field(air, optics, {16, 12, 6, 0.25, 0.5, 8});
+  const LightField field(air, optics, {16, 12, 6, 10, 5, 0.25, 0.5, 0.02, 8});
   for (const double light : {60.0, 30.0, 10.0, 3.0, 0.0, -2.0, -4.0, -6.0, -9.0, -12.0}) {
     for (const double height : {0.0, 2.4, 11.0}) {
       for (const double altitude : {90.0, 30.0, 8.0, 1.0}) {

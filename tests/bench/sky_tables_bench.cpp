@@ -226,7 +226,7 @@ std::string size_name(const SkyTables& tables) {
 void compare_wavelengths(const Medium& medium) {
   const SampledAir air(medium);
   const SpectralAir optics(medium, medium.wavelengths_nm);
-  const LightField field(air, optics, {16, 12, 6, 0.25, 0.5, 8});
+  const LightField field(air, optics, {16, 12, 6, 10, 5, 0.25, 0.5, 0.02, 8});
   std::vector<std::pair<std::size_t, std::vector<double>>> spectra;
   for (std::size_t span = 0; span < spans; ++span) {
     for (int i = 0; i < 6; ++i) {
