@@ -1,6 +1,7 @@
 // The sky of a medium, solved for sunlight and kept in tables that the GPU reads: how bright it looks from anywhere.
 #pragma once
 
+#include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/atmosphere/sky_query.hpp"
 #include "vesper/base/shader_math.hpp"
@@ -16,7 +17,8 @@ struct SkyTableSize {
   int heights = 16;
   int views_below = 16; ///< rays that meet the ground
   int views_above = 32;
-  int lights = 64; ///< altitudes of the light, 90 to -36 degrees
+  int lights = 64;        ///< altitudes of the light, 90 to -36 degrees
+  LightFieldSize field{}; ///< how finely the light is solved that fills them
 };
 
 /// Light above 1 lux of sunlight (solar_irradiance_1au) outside the air, in X, Y, Z and S: cd/m2, or lux. Texels lie as

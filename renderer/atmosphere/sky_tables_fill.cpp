@@ -43,7 +43,7 @@ void validate(const SkyTableSize& size) {
 class Filler {
 public:
   Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress)
-      : threads_(threads), progress_(progress), air_(medium),
+      : threads_(threads), progress_(progress), field_size_(size.field), air_(medium),
         rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), optics_(medium, rule_.wavelengths_nm) {
     const Xyzs sun = rule_.weights(std::vector<double>(optics_.size(), 1.0));
     lux_ = sun.y;
@@ -59,7 +59,7 @@ public:
   SkyTables operator()() {
     tables_.phase = aerosol_phase_table(air_, optics_);
     fill_transmittance();
-    const LightField field(air_, optics_, {}, threads_);
+    const LightField field(air_, optics_, field_size_, threads_);
     report(0.5);
     fill_ground(field);
     fill_scattering(field);
@@ -164,6 +164,7 @@ private:
 
   unsigned threads_;
   const Progress& progress_;
+  LightFieldSize field_size_;
   SampledAir air_;
   SpectralRule rule_;
   SpectralAir optics_;

@@ -86,6 +86,7 @@ FN Real sky_share_taken(Real x) { return x < Real(1.0e-2) ? x * (Real(1.0) - x *
 FN Real sky_path_share(Real height_km, Real altitude_rad, bool meets_ground, SkyTableFrame frame) {
   Real scale_km = Real(8.0);
   Real per_km = Real(0.025);
+  Real most_scales = Real(40.0); // for a share above zero however high the air reaches
   Real h = max(height_km, Real(0.0));
   Real r = frame.ground_km + h;
   Real s = sin(altitude_rad);
@@ -97,12 +98,12 @@ FN Real sky_path_share(Real height_km, Real altitude_rad, bool meets_ground, Sky
   } else {
     // Chapman's function, as sqrt(pi x / 2) / ((sqrt(pi x / 2) - 1) s + 1).
     Real level = sqrt(Real(0.5) * sky_half_turn * r / scale_km);
-    Real upward = exp(-h / scale_km) * level / ((level - Real(1.0)) * abs(s) + Real(1.0));
+    Real upward = exp(-min(h / scale_km, most_scales)) * level / ((level - Real(1.0)) * abs(s) + Real(1.0));
     if (s >= Real(0.0)) {
       column = scale_km * upward;
     } else {
       Real tangent_km = max(r * cos(altitude_rad) - frame.ground_km, Real(0.0));
-      Real tangent = exp(-tangent_km / scale_km) * sqrt(Real(0.5) * sky_half_turn * (frame.ground_km + tangent_km) / scale_km);
+      Real tangent = exp(-min(tangent_km / scale_km, most_scales)) * sqrt(Real(0.5) * sky_half_turn * (frame.ground_km + tangent_km) / scale_km);
       column = scale_km * max(Real(2.0) * tangent - upward, upward);
     }
   }
@@ -332,7 +333,7 @@ FN vec4 sky_ground_illuminance(sampler1D ground, sampler2D transmittance, vec4 l
   Real middle = max(light_altitude_rad, Real(0.5) * (light_altitude_rad + light_radius_rad));
   vec4 direct = vec4(Real(0.0));
   if (visible > Real(0.0)) {
-    direct = light * (visible * sin(middle)) *
+    direct = light * (visible * max(sin(middle), Real(0.0))) *
              exp2(sky_transmittance_log2(transmittance, Real(0.0), middle, nodes, frame));
   }
   return direct + exp2(sky_ground_log2(ground, light_altitude_rad, frame));
