@@ -40,7 +40,7 @@ struct SkyTables {
 [[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
 [[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
 
-/// Told from one thread at a time what share of the work is done, 0 to 1.
+/// Told from one thread at a time what share of the work is done, 0 to 1. What it throws ends the work.
 using Progress = std::function<void(double share)>;
 
 /// Solves the transport of light and fills the tables, in seconds.
