@@ -7,7 +7,7 @@
 #include "lib/sky_map.glsl"
 #include "sky_block.glsl"
 
-layout(binding = 0) uniform sampler2DArray map; // what it holds: sky_map.comp
+layout(binding = 0) uniform sampler2D map;     // what it holds: sky_map.comp
 layout(binding = 1) uniform sampler1D phase;    // x: the peak of the aerosol's phase function, per steradian
 layout(location = 0) uniform mat3 horizon_from_view;
 layout(location = 1) uniform vec2 size;
@@ -34,19 +34,21 @@ void main() {
   bool below = depth > 0.0;
   float row = sky_map_row(direction.z, below, map_frame());
   // The halves of the map meet at the horizon, and a pixel there has its share of both, as in ground.frag.
-  vec3 texels = vec3(textureSize(map, 0));
+  vec2 texels = vec2(textureSize(map, 0));
   float rows_below = float(block.map_rows_below);
-  float place = rows_below + (below ? -0.5 - row * (rows_below - 1.0) : 0.5 + min(row, 1.0) * (texels.y - rows_below - 1.0));
-  float cover = 0.5 + depth / max(inversesqrt(pixels_per_steradian(at, frame)), 1.0e-7);
+  float rows_above = float(block.map_rows_above);
+  float place = rows_below + (below ? -0.5 - row * (rows_below - 1.0) : 0.5 + min(row, 1.0) * (rows_above - 1.0));
+  float cover = 0.5 + depth * min(sqrt(pixels_per_steradian(at, frame)), 1.0e7);
   place = cover > 0.0 && cover < 1.0 ? rows_below + 0.5 - cover : place;
-  vec2 texel = vec2(sky_map_column(vec2(direction)) + 0.5 / texels.x, place / texels.y);
+  float column = 0.5 + sky_map_column(vec2(direction)) * (texels.x - 1.0);
 #ifdef PEAK
   float cos_angle = dot(direction, block.lights[light].apparent.xyz);
   float steps = float(textureSize(phase, 0) - 1);
   float peak = textureLod(phase, (min(sky_peak_place(cos_angle), 1.0) * steps + 0.5) / (steps + 1.0), 0.0).x;
-  vec4 light_here = peak * exp2(textureLod(map, vec3(texel, float(1 + light)), 0.0));
+  place += float(1 + light) * (rows_below + rows_above);
+  vec4 light_here = peak * exp2(textureLod(map, vec2(column, place) / texels, 0.0));
 #else
-  vec4 light_here = exp2(textureLod(map, vec3(texel, 0.0), 0.0));
+  vec4 light_here = exp2(textureLod(map, vec2(column, place) / texels, 0.0));
 #endif
   // Over the limb there is no air.
   luminance = row <= 1.0001 ? light_here : vec4(0.0);

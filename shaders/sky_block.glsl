@@ -22,7 +22,8 @@ layout(std140, binding = 1) uniform SkyBlock {
   float height_km;    // of the observer
   int light_count;
   float share;        // of these tables in the map; the rest stays as it is
-  int map_rows_below; // rows of the map that meet the ground
+  int map_rows_below; // rows of each layer of the map that meet the ground, and the others
+  int map_rows_above;
   float sin_horizon;  // of the altitudes, as they are seen, of the horizon and of where the map ends
   float sin_highest;
   vec4 map_half_sines; // SkyMapFrame

@@ -12,8 +12,8 @@
 #include "lib/sky_map.glsl"
 #include "sky_block.glsl"
 
-layout(local_size_x = 64) in; // a group makes a row
-layout(binding = 0, rgba32f) uniform image2DArray map;
+layout(local_size_x = 56) in; // a group makes a row
+layout(binding = 0, rgba32f) uniform image2D map; // its layers below one another
 layout(binding = 0) uniform sampler2D transmittance;
 layout(binding = 1) uniform sampler2D ground; // its illuminance, a row for each light: sky_ground.comp
 layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the phase function without its peak
@@ -45,7 +45,7 @@ struct Row {
 Row row_of(int number, SkyTableFrame frame) {
   Row row;
   row.below = number < block.map_rows_below;
-  int rows = row.below ? block.map_rows_below : imageSize(map).y - block.map_rows_below;
+  int rows = row.below ? block.map_rows_below : block.map_rows_above;
   float place = float(row.below ? rows - 1 - number : number - block.map_rows_below) / float(rows - 1);
   row.seen_rad = sky_map_altitude_rad(place, row.below, map_frame());
   // The horizon that is seen falls on that of straight rays, zenith and nadir on themselves.
@@ -100,13 +100,14 @@ vec4 series_log2(int slice, float cos_azimuth) {
 }
 #endif
 
-void store(ivec3 texel, vec4 light) {
+void store(ivec2 at, int layer, vec4 light) {
+  ivec2 texel = at + ivec2(0, layer * (block.map_rows_below + block.map_rows_above));
   vec4 value = log2(max(light, vec4(least_light)));
   imageStore(map, texel, block.share == 1.0 ? value : mix(imageLoad(map, texel), value, block.share));
 }
 
 void fill(ivec2 texel, Row row, SkyTableFrame frame) {
-  vec3 level = vec3(sky_map_level(float(texel.x) / float(imageSize(map).x)), 0.0);
+  vec3 level = vec3(sky_map_level(float(texel.x) / float(imageSize(map).x - 1)), 0.0);
   vec3 zenith = vec3(0.0, 0.0, 1.0);
   vec3 seen = cos(row.seen_rad) * level + sin(row.seen_rad) * zenith;
   vec3 up = cos(row.turn_rad) * zenith + sin(row.turn_rad) * level;
@@ -136,9 +137,9 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     arriving += row.ground_share * textureLod(ground, at, 0.0);
     mat4 calibrated = block.lights[light].xyzs_from_sunlight;
     sum += calibrated * arriving;
-    store(ivec3(texel, 1 + light), calibrated * (row.path_share * exp2(aerosol)));
+    store(texel, 1 + light, calibrated * (row.path_share * exp2(aerosol)));
   }
-  store(ivec3(texel, 0), sum);
+  store(texel, 0, sum);
 }
 
 void main() {

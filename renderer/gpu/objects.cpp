@@ -87,19 +87,10 @@ Texture make_volume_texture(int width, int height, int depth) {
   return texture;
 }
 
-Texture make_layered_texture(int width, int height, int layers) {
-  GLuint name = 0;
-  glCreateTextures(GL_TEXTURE_2D_ARRAY, 1, &name);
-  Texture texture(name);
-  glTextureStorage3D(name, 1, GL_RGBA32F, width, height, layers);
-  require_no_error("creating a texture");
-  return texture;
-}
-
-void interpolate(const Texture& texture, TextureEdge edge) {
+void interpolate(const Texture& texture) {
   glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, edge == TextureEdge::joins ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 

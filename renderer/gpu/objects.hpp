@@ -67,13 +67,10 @@ enum class PixelFormat { rgba32f, rgba8 };
 [[nodiscard]] Texture make_table_texture(int width, std::span<const float> rgba);
 /// A buffer's contents as texels of 1 or 4 32-bit floats.
 [[nodiscard]] Texture make_buffer_texture(const Buffer& buffer, int channels);
-/// Volumes of such texels, and layers of rows of them, without contents.
+/// A volume of such texels without contents.
 [[nodiscard]] Texture make_volume_texture(int width, int height, int depth);
-[[nodiscard]] Texture make_layered_texture(int width, int height, int layers);
-/// Has texture() interpolate linearly; past the left and right edge it goes on with the texels of the edge, or with
-/// those of the other edge.
-enum class TextureEdge { ends, joins };
-void interpolate(const Texture& texture, TextureEdge edge);
+/// Has texture() interpolate linearly, up to the texels of the edges.
+void interpolate(const Texture& texture);
 [[nodiscard]] Framebuffer make_framebuffer(const Texture& color);
 
 /// Largest width and height of a texture.

@@ -39,9 +39,10 @@ struct SkyBlock {
   std::int32_t light_count;
   float share;
   std::int32_t map_rows_below;
+  std::int32_t map_rows_above;
   float sin_horizon;
   float sin_highest;
-  std::array<float, 2> padding;
+  float padding;
   std::array<float, 4> map_half_sines;
 };
 static_assert(sizeof(SkyBlockLight) == 96 && offsetof(SkyBlock, sunlight) == 192 && offsetof(SkyBlock, ground_km) == 224 &&
@@ -98,6 +99,7 @@ SkyBlock block_of(const SkyTables& tables, const FramePlan& plan, Length height,
   const f32::SkyMapFrame map = f32::sky_map_frame(block.sin_horizon, block.sin_highest);
   block.map_half_sines = {map.nadir_to_horizon, map.zenith_to_horizon, map.zenith_to_end, 0.0F};
   block.map_rows_below = SkyMap::rows_below;
+  block.map_rows_above = SkyMap::rows_above;
   return block;
 }
 
@@ -108,11 +110,11 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 SkyMap::SkyMap(const ShaderLibrary& library)
     : slice_program_(build_program(library, {"sky_slice.comp"})), ground_program_(build_program(library, {"sky_ground.comp"})),
       map_programs_(library, {"sky_map.comp"}),
-      map_(make_layered_texture(columns, rows_below + rows_above, 1 + static_cast<int>(most_lights))),
+      map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above), PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
       uniforms_(make_dynamic_buffer(sizeof(SkyBlock))) {
-  interpolate(map_, TextureEdge::joins);
-  interpolate(ground_, TextureEdge::ends);
+  interpolate(map_);
+  interpolate(ground_);
 }
 
 void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length height, double share) {
@@ -137,7 +139,7 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
   } else {
     glBindTextureUnit(3, slices_.name());
   }
-  glBindImageTexture(0, map_.name(), 0, GL_TRUE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glBindImageTexture(0, map_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glDispatchCompute(rows_below + rows_above, 1, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
@@ -196,7 +198,7 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
     phase_[4 * i + 1] = glm::mix(phase_[4 * i + 1], without_peak(1.0F - 2.0F * half_sine2), share);
   }
   phase_texture_ = make_row_texture(phase_);
-  interpolate(phase_texture_, TextureEdge::ends);
+  interpolate(phase_texture_);
 }
 
 void SkyMap::bind() const {

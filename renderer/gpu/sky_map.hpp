@@ -14,10 +14,10 @@ namespace vesper::gpu {
 /// What shaders/sky.frag reads: the map's layers and the phase function of the aerosol.
 class SkyMap {
 public:
-  /// Texels over azimuth, and over the views that meet the ground and the others. shaders/sky.frag states the error.
-  static constexpr int columns = 192;
-  static constexpr int rows_below = 64;
-  static constexpr int rows_above = 160;
+  /// Steps over azimuth, a multiple of 4, and texels over the views that meet the ground and the others. shaders/sky.frag states the error.
+  static constexpr int columns = 160;
+  static constexpr int rows_below = 40;
+  static constexpr int rows_above = 128;
 
   /// The library must outlive the map.
   explicit SkyMap(const ShaderLibrary& library);

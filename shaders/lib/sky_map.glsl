@@ -11,7 +11,7 @@ struct SkyMapFrame { // sines of half the angles
 };
 
 // Columns: from east over north, 0 to 1, even along the four sides of a square. Nodes stand on its corners, so that its
-// kinks do not show.
+// kinks do not show; the last is the first again.
 FN Real sky_map_column(vec2 level) {
   Real around = level.x / max(abs(level.x) + abs(level.y), Real(1.0e-30));
   return level.y >= Real(0.0) ? Real(0.25) * (Real(1.0) - around) : Real(0.25) * (Real(3.0) + around);

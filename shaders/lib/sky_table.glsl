@@ -147,6 +147,8 @@ FN vec4 sky_cubic(Real t, bool first, bool last) {
 struct SkyNodes {
   int first; // of the four, may be -1
   vec4 weights;
+  int low; // of the four, those that have a weight
+  int high;
 };
 
 FN SkyNodes sky_nodes(Real place, int count) {
@@ -154,6 +156,9 @@ FN SkyNodes sky_nodes(Real place, int count) {
   SkyNodes nodes;
   nodes.first = i - 1;
   nodes.weights = sky_cubic(place - Real(i), i == 0, i == count - 2);
+  bool at_node = nodes.weights.y == Real(0.0) || nodes.weights.z == Real(0.0);
+  nodes.low = at_node ? (nodes.weights.y == Real(0.0) ? 2 : 1) : 0;
+  nodes.high = at_node ? nodes.low : 3;
   return nodes;
 }
 
@@ -182,10 +187,7 @@ FN SkyViewPlace sky_view_place(Real altitude_rad, Real dip_rad, bool meets_groun
 FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, int row, int azimuth,
                           SkyTableFrame frame) {
   vec4 sum = vec4(Real(0.0));
-  for (int h = 0; h < 4; ++h) {
-    if (heights.weights[h] == Real(0.0)) {
-      continue;
-    }
+  for (int h = heights.low; h <= heights.high; ++h) {
     vec4 part = vec4(Real(0.0));
     for (int l = 0; l < 4; ++l) {
       ivec3 texel = ivec3(azimuth + sky_azimuths * sky_node(lights, l, frame.lights), row,
@@ -288,10 +290,7 @@ FN vec4 sky_transmittance_log2(sampler2D table, Real height_km, Real altitude_ra
   SkyNodes columns = sky_nodes(sqrt(over) * Real(nodes.altitudes - 1), nodes.altitudes);
   SkyNodes rows = sky_nodes(sqrt(share) * Real(nodes.heights - 1), nodes.heights);
   vec4 sum = vec4(Real(0.0));
-  for (int r = 0; r < 4; ++r) {
-    if (rows.weights[r] == Real(0.0)) {
-      continue;
-    }
+  for (int r = rows.low; r <= rows.high; ++r) {
     for (int c = 0; c < 4; ++c) {
       sum += rows.weights[r] * columns.weights[c] *
              texelFetch(table, ivec2(sky_node(columns, c, nodes.altitudes), sky_node(rows, r, nodes.heights)), 0);
