@@ -6,14 +6,14 @@ layout(location = 0) uniform mat3 horizon_from_view;
 layout(location = 1) uniform vec2 size;
 layout(location = 2) uniform float focal;
 layout(location = 3) uniform float horizon_sin_altitude;
-layout(location = 4) uniform float first_row; // of the strip that the framebuffer holds
+layout(location = 4) uniform vec2 strip; // first row and number of rows that the framebuffer holds
 
 layout(location = 0) out vec4 cover; // alpha: share of the pixel that the ground covers
 
 void main() {
   vec3 direction;
   PixelFrame frame = PixelFrame(PROJECTION, size, focal);
-  vec2 at = gl_FragCoord.xy + vec2(0.0, first_row);
+  vec2 at = gl_FragCoord.xy + vec2(0.0, strip.x);
   if (!unproject(at, frame, direction)) {
     discard;
   }

@@ -1,6 +1,7 @@
 // vesper-render: one picture of the sky, without a window.
 #include "common/program.hpp"
 #include "common/scene_options.hpp"
+#include "common/sky_tables_cache.hpp"
 
 #include "vesper/assets/default_stars.hpp"
 #include "vesper/assets/image_file.hpp"
@@ -95,6 +96,9 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
   frame_options.air.refraction = options.refraction == "on";
   frame_options.air.medium = scene.medium;
+  if (has(scene.layers, Layer::sky)) {
+    frame_options.air.sky_tables = scene_sky_tables(scene);
+  }
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;
@@ -111,7 +115,15 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(scene.view) * std::exp2(-options.exposure_stops));
+  Luminance white = gpu::star_chart_white(scene.view);
+  if (kind == OutputKind::png && !plan.lights.empty()) {
+    // What is metered is the light of areas, not of points.
+    FrameOptions metered = frame_options;
+    metered.layers.reset(static_cast<std::size_t>(Layer::stars)).reset(static_cast<std::size_t>(Layer::planets));
+    const View view = gpu::metering_view(scene.view);
+    white = gpu::metered_white(renderer.render(sky, view, plan_frame(sky, view, {}, metered, &plan)), white);
+  }
+  gpu::PlainExposure exposure(shaders, white * std::exp2(-options.exposure_stops));
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::exr;
   outputs.mapping = kind == OutputKind::png ? &exposure : nullptr;

@@ -63,6 +63,23 @@ std::vector<QuadratureNode> altitude_rule(double light_rad) {
   return nodes;
 }
 
+/// By node and number: shares of the nodes in the cosine series through them.
+const std::array<std::array<float, azimuths>, azimuths>& series_weights() {
+  static const auto made = [] {
+    std::array<std::array<float, azimuths>, azimuths> weights{};
+    constexpr int last = azimuths - 1;
+    for (int k = 0; k < azimuths; ++k) {
+      for (int m = 0; m < azimuths; ++m) {
+        const double ends = (k == 0 || k == last ? 0.5 : 1.0) * (m == 0 || m == last ? 1.0 : 2.0);
+        weights[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] =
+            static_cast<float>(ends / last * std::cos(pi * m * k / last));
+      }
+    }
+    return weights;
+  }();
+  return made;
+}
+
 /// A table's cosine series by row above the horizon, for one height and one altitude of the light.
 class Slice {
 public:
@@ -74,15 +91,13 @@ public:
     const f32::sampler3D texels = sampler(tables, table);
     const f32::SkyNodes heights = f32::sky_nodes(f32::sky_height_place(height_km, frame), frame.heights);
     const f32::SkyNodes lights = f32::sky_nodes(f32::sky_light_place(light_rad, frame), frame.lights);
-    constexpr int last = azimuths - 1;
     for (std::size_t row = 0; row < rows_.size(); ++row) {
       const int table_row = frame.views_below + static_cast<int>(row);
       for (int k = 0; k < azimuths; ++k) {
         const f32::vec4 value = f32::sky_table_between(texels, heights, lights, table_row, k, frame);
         for (int m = 0; m < azimuths; ++m) {
-          const double ends = (k == 0 || k == last ? 0.5 : 1.0) * (m == 0 || m == last ? 1.0 : 2.0);
-          const double weight = ends / last * std::cos(pi * m * k / last);
-          rows_[row][static_cast<std::size_t>(m)] += static_cast<float>(weight) * value;
+          rows_[row][static_cast<std::size_t>(m)] +=
+              series_weights()[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] * value;
         }
       }
     }

@@ -3,6 +3,8 @@
 
 #include "vesper/atmosphere/light_gatherer.hpp"
 
+#include <functional>
+
 namespace vesper {
 
 struct LightFieldSolution {
@@ -14,5 +16,8 @@ struct LightFieldSolution {
 /// Iterates until the rest is small enough.
 [[nodiscard]] LightFieldSolution solve_light_field(const LightFieldModel& model, LightGatherer& gatherer,
                                                    unsigned threads);
+
+/// Any way to a model's solution: on the processor's cores, or on a GPU.
+using LightFieldSolver = std::function<LightFieldSolution(const LightFieldModel& model)>;
 
 } // namespace vesper

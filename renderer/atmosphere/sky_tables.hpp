@@ -40,14 +40,15 @@ struct SkyTables {
 [[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
 [[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
 
-/// Told from one thread at a time what share of the work is done, 0 to 1.
+/// Told from one thread at a time what share of the work is done, 0 to 1. What it throws ends the work.
 using Progress = std::function<void(double share)>;
 
 /// Solves the transport of light and fills the tables, in seconds.
 /// \param threads 0 for one per core; the result does not depend on it
+/// \param solver of the light field, such as gpu::GpuLightGatherer; none for the processor
 /// Throws Error(argument) for a medium or a size out of its range.
 [[nodiscard]] SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size = {}, unsigned threads = 0,
-                                        const Progress& progress = {});
+                                        const Progress& progress = {}, const LightFieldSolver& solver = {});
 
 /// Luminance toward an observer anywhere above 1 lux of sunlight from the query's direction, the ground's included
 /// where the view meets it. Throws Error(argument) for a query out of its range.

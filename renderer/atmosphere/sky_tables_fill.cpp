@@ -42,8 +42,9 @@ void validate(const SkyTableSize& size) {
 /// Makes tables: what all its parts need.
 class Filler {
 public:
-  Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress)
-      : threads_(threads), progress_(progress), field_size_(size.field), air_(medium),
+  Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress,
+         const LightFieldSolver& solver)
+      : threads_(threads), progress_(progress), field_size_(size.field), solver_(solver), air_(medium),
         rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), optics_(medium, rule_.wavelengths_nm) {
     const Xyzs sun = rule_.weights(std::vector<double>(optics_.size(), 1.0));
     lux_ = sun.y;
@@ -59,7 +60,7 @@ public:
   SkyTables operator()() {
     tables_.phase = aerosol_phase_table(air_, optics_);
     fill_transmittance();
-    const LightField field(air_, optics_, field_size_, threads_);
+    const LightField field = solve();
     report(0.5);
     fill_ground(field);
     fill_scattering(field);
@@ -67,6 +68,14 @@ public:
   }
 
 private:
+  [[nodiscard]] LightField solve() const {
+    if (!solver_) {
+      return {air_, optics_, field_size_, threads_};
+    }
+    const LightFieldModel model(air_, optics_, field_size_, threads_);
+    return {model, solver_(model)};
+  }
+
   template <class Values> [[nodiscard]] f32::vec4 responses(const Values& spectrum) const {
     Xyzs sum;
     for (std::size_t l = 0; l < optics_.size(); ++l) {
@@ -165,6 +174,7 @@ private:
   unsigned threads_;
   const Progress& progress_;
   LightFieldSize field_size_;
+  const LightFieldSolver& solver_;
   SampledAir air_;
   SpectralRule rule_;
   SpectralAir optics_;
@@ -174,9 +184,10 @@ private:
 
 } // namespace
 
-SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress) {
+SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress,
+                          const LightFieldSolver& solver) {
   validate(size);
-  return Filler(medium, size, threads, progress)();
+  return Filler(medium, size, threads, progress, solver)();
 }
 
 } // namespace vesper

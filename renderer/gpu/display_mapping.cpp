@@ -4,6 +4,7 @@
 #include "vesper/base/shader_math.hpp"
 #include "vesper/gpu/program.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <epoxy/gl.h>
 #include <numbers>
@@ -40,6 +41,29 @@ Luminance star_chart_white(const View& view) {
   const double weight = 1.0 / (2.0 * std::numbers::pi * sigma * sigma);
   const double per_steradian = f64::pixels_per_steradian({0.5 * view.width, 0.5 * side}, frame);
   return illuminance * weight * per_steradian / share_of_white * candela_per_m2;
+}
+
+View metering_view(const View& view) {
+  constexpr double side = 64.0; // the shorter one
+  const double scale = std::min(1.0, side / std::min(view.width, view.height));
+  View small = view;
+  small.width = std::max(1, static_cast<int>(std::lround(scale * view.width)));
+  small.height = view.projection == Projection::cubemap ? 6 * small.width
+                                                        : std::max(1, static_cast<int>(std::lround(scale * view.height)));
+  return small;
+}
+
+Luminance metered_white(const Frame& frame, Luminance least) {
+  constexpr double average_of_white = 1.0 / 3.0;
+  double sum = 0.0;
+  int lit = 0;
+  for (std::size_t i = 1; i < frame.xyzs.size(); i += 4) {
+    if (frame.xyzs[i] > 0.0F) {
+      sum += std::log(static_cast<double>(frame.xyzs[i]));
+      ++lit;
+    }
+  }
+  return lit == 0 ? least : std::max(least, std::exp(sum / lit) / average_of_white * candela_per_m2);
 }
 
 } // namespace vesper::gpu

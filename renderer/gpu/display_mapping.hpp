@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/base/units.hpp"
+#include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/plan/view.hpp"
@@ -38,5 +39,12 @@ private:
 /// brightest pixel at the centre of the view. It follows the pixels' solid angle, since a point source gets brighter
 /// the finer the pixels are: 1.0e-3 cd/m2 for 512 x 512 pixels of the whole sky.
 [[nodiscard]] Luminance star_chart_white(const View& view);
+
+/// A view of the same picture in few pixels, to meter.
+[[nodiscard]] View metering_view(const View& view);
+
+/// The white luminance at which the log-average of a frame's luminance becomes a third of white, as an automatic camera
+/// would have it; not less than `least`. Pixels without light do not count.
+[[nodiscard]] Luminance metered_white(const Frame& frame, Luminance least);
 
 } // namespace vesper::gpu

@@ -78,6 +78,22 @@ Texture make_buffer_texture(const Buffer& buffer, int channels) {
   return texture;
 }
 
+Texture make_volume_texture(int width, int height, int depth) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_3D, 1, &name);
+  Texture texture(name);
+  glTextureStorage3D(name, 1, GL_RGBA32F, width, height, depth);
+  require_no_error("creating a texture");
+  return texture;
+}
+
+void interpolate(const Texture& texture) {
+  glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
 Framebuffer make_framebuffer(const Texture& color) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);

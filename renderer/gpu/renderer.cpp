@@ -42,7 +42,7 @@ struct Renderer::Target {
   Framebuffer framebuffer;
 };
 
-Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), planet_pass_(library), ground_pass_(library) {}
+Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), planet_pass_(library), ground_pass_(library), sky_pass_(library) {}
 
 Renderer::~Renderer() = default;
 
@@ -84,6 +84,10 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (has(plan.options.layers, Layer::ground)) {
     ground_pass_.prepare(view, plan);
     graph.add("ground", [&](const Strip& strip) { ground_pass_.draw(strip); });
+  }
+  if (!plan.lights.empty()) {
+    timed("sky map", timings, [&] { sky_pass_.prepare(sky, view, plan); });
+    graph.add("sky", [&](const Strip& strip) { sky_pass_.draw(strip); });
   }
 
   const int rows = strip_rows(view, strip_limit_);

@@ -7,6 +7,7 @@
 #include "vesper/gpu/ground_pass.hpp"
 #include "vesper/gpu/planet_pass.hpp"
 #include "vesper/gpu/shader_library.hpp"
+#include "vesper/gpu/sky_pass.hpp"
 #include "vesper/gpu/star_pass.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
@@ -41,6 +42,10 @@ public:
   [[nodiscard]] Frame render(const SkyState& sky, const View& view, const FramePlan& plan,
                              const RenderOutputs& outputs = {});
 
+  /// Frames that other tables of the sky take to come in; 0, the default: none, so that a frame depends on nothing that
+  /// was drawn before. A running picture shows no step and does not wait while they are copied.
+  void change_sky_over(int frames) { sky_pass_.change_over(frames); }
+
   /// Rows that a strip may have at most; 0 for what the GPU takes. For tests.
   void limit_strip_rows(int rows) { strip_limit_ = rows; }
 
@@ -51,6 +56,7 @@ private:
   StarPass star_pass_;
   PlanetPass planet_pass_;
   GroundPass ground_pass_;
+  SkyPass sky_pass_;
   std::unique_ptr<Target> target_;
   int strip_limit_ = 0;
 };

@@ -102,7 +102,8 @@ StarBlock star_block(const SkyState& sky, const View& view, const FramePlan& pla
   block.observer_height_km = static_cast<float>(sky.observer.height.to(kilometre));
   block.exposure_s = static_cast<float>(air.exposure_s);
   block.pupil_m = air.scintillation ? static_cast<float>(air.pupil_m) : 0.0F;
-  block.sun_sin_altitude = static_cast<float>(std::sin(sky.sun.altitude.to(rad)));
+  // Where the sky is drawn, its light makes the stars fade: the cheap tier's own fade counts as at night.
+  block.sun_sin_altitude = plan.lights.empty() ? static_cast<float>(std::sin(sky.sun.altitude.to(rad))) : -1.0F;
   block.control_magnitude = static_cast<float>(plan.options.control_magnitude);
   block.copies = plan.star_copies;
   block.seed = plan.options.seed;

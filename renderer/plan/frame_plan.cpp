@@ -2,6 +2,10 @@
 
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/star_extinction.hpp"
+#include "vesper/light/response_functions.hpp"
+#include "vesper/light/response_matrix.hpp"
+#include "vesper/light/sunlight.hpp"
+#include "vesper/sky/sky_light.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +41,15 @@ std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, con
       PlannedExtinction{std::move(medium), height, bending, std::move(table)});
 }
 
+std::vector<PlannedLight> planned_lights(const SkyState& sky, const Refraction& refraction) {
+  std::vector<PlannedLight> planned;
+  for (const SkyLight& light : lights_of(sky)) {
+    planned.push_back({light.direction, apparent_direction(light.direction, refraction), light.angular_radius,
+                       integrate_xyzs(light.irradiance).y * response_matrix(solar_irradiance_1au(), light.irradiance)});
+  }
+  return planned;
+}
+
 } // namespace
 
 FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
@@ -64,6 +77,9 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   }
   if (options.air.refraction) {
     plan.refraction = with_table(sky.refraction);
+  }
+  if (has(options.layers, Layer::sky) && options.air.sky_tables != nullptr) {
+    plan.lights = planned_lights(sky, plan.refraction);
   }
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
   return plan;

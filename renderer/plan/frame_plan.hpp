@@ -3,6 +3,7 @@
 
 #include "vesper/assets/star_catalogue.hpp"
 #include "vesper/atmosphere/medium.hpp"
+#include "vesper/atmosphere/sky_tables.hpp"
 #include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/layers.hpp"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace vesper {
 
@@ -22,6 +24,9 @@ struct AirOptions {
   bool refraction = true;
   bool extinction = true;
   std::shared_ptr<const Medium> medium; ///< what dims the stars; clear_medium() where there is none
+  /// The light of that medium, for the layer `sky`; none is drawn without. Plans share them: they are copied to the GPU
+  /// once.
+  std::shared_ptr<const SkyTables> sky_tables;
   bool scintillation = true;
   /// Seconds over which scintillation is averaged: the eye's integration time by default; 0 for an instant.
   double exposure_s = 0.1;
@@ -50,6 +55,14 @@ struct PlannedExtinction {
   StarExtinction table;
 };
 
+/// A light of the air, ready to be looked up in tables made for sunlight.
+struct PlannedLight {
+  Vec3 direction;          ///< without refraction, horizon frame
+  Vec3 apparent_direction; ///< where its disc is seen
+  Angle angular_radius;
+  Mat4 xyzs_from_sunlight; ///< what it makes in X, Y, Z and S of what 1 lux of sunlight makes
+};
+
 /// The decisions for one frame, ready for the passes.
 struct FramePlan {
   FrameOptions options;
@@ -58,6 +71,7 @@ struct FramePlan {
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
   std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
+  std::vector<PlannedLight> lights;                    ///< of the layer `sky`; none where it is not drawn
   Refraction refraction;                               ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };

@@ -12,9 +12,10 @@ namespace vesper {
 enum class Layer : std::size_t {
   stars,   ///< point sources of the catalogue
   planets, ///< Mercury to Neptune, as point sources
-  ground,  ///< the opaque Earth below the horizon
+  sky,     ///< light scattered in the air, from the Sun and the Moon
+  ground,  ///< the opaque Earth below the horizon; with the sky's layer, lit
 };
-inline constexpr std::size_t layer_count = 3;
+inline constexpr std::size_t layer_count = 4;
 
 using LayerSet = std::bitset<layer_count>;
 

@@ -8,6 +8,7 @@
 #include "vesper/shaders/lib/phase.glsl"
 #include "vesper/shaders/lib/sky_table.glsl"
 #include "vesper/shaders/lib/small_sky.glsl"
+#include "vesper/shaders/lib/sky_map.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"

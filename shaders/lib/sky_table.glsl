@@ -24,6 +24,12 @@ FN Real sky_dip(Real height_km, SkyTableFrame frame) {
   return atan(sqrt(h * (Real(2.0) * frame.ground_km + h)), frame.ground_km);
 }
 
+// The same of the top of the air, for an observer above it: where the limb ends.
+FN Real sky_limb_dip(Real height_km, SkyTableFrame frame) {
+  Real h = max(height_km - (frame.top_km - frame.ground_km), Real(0.0));
+  return atan(sqrt(h * (Real(2.0) * frame.top_km + h)), frame.top_km);
+}
+
 // Heights crowd at the ground. The outermost nodes stand just inside the air, where rays still have a path in it.
 CONSTANT Real sky_least_height_km = Real(1.0e-3);
 CONSTANT Real sky_least_depth_km = Real(0.05);
@@ -64,19 +70,26 @@ CONSTANT Real sky_lowest_light_rad = Real(-0.62831853); // -36 degrees
 CONSTANT Real sky_dusk_rad = Real(-0.08726646);         // -5 degrees, where they are densest
 CONSTANT Real sky_dusk_width_rad = Real(0.13962634);    // 8 degrees
 
-FN Real sky_light_place(Real altitude_rad, SkyTableFrame frame) {
+// 0 to 1 for the lowest and the highest.
+FN Real sky_light_share(Real altitude_rad) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
   Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
   Real x = arc_sinh((altitude_rad - sky_dusk_rad) / sky_dusk_width_rad);
-  return clamp((x - first) / (last - first), Real(0.0), Real(1.0)) * Real(frame.lights - 1);
+  return clamp((x - first) / (last - first), Real(0.0), Real(1.0));
 }
 
-FN Real sky_node_light_rad(int i, SkyTableFrame frame) {
+FN Real sky_light_rad(Real share) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
   Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
-  Real x = mix(first, last, Real(i) / Real(frame.lights - 1));
+  Real x = mix(first, last, share);
   return sky_dusk_rad + sky_dusk_width_rad * Real(0.5) * (exp(x) - exp(-x));
 }
+
+FN Real sky_light_place(Real altitude_rad, SkyTableFrame frame) {
+  return sky_light_share(altitude_rad) * Real(frame.lights - 1);
+}
+
+FN Real sky_node_light_rad(int i, SkyTableFrame frame) { return sky_light_rad(Real(i) / Real(frame.lights - 1)); }
 
 // 1 - exp(-x) for x >= 0, exact also where x is small.
 FN Real sky_share_taken(Real x) { return x < Real(1.0e-2) ? x * (Real(1.0) - x * (Real(0.5) - x / Real(6.0))) : Real(1.0) - exp(-x); }
@@ -134,6 +147,8 @@ FN vec4 sky_cubic(Real t, bool first, bool last) {
 struct SkyNodes {
   int first; // of the four, may be -1
   vec4 weights;
+  int low; // of the four, those that have a weight
+  int high;
 };
 
 FN SkyNodes sky_nodes(Real place, int count) {
@@ -141,6 +156,9 @@ FN SkyNodes sky_nodes(Real place, int count) {
   SkyNodes nodes;
   nodes.first = i - 1;
   nodes.weights = sky_cubic(place - Real(i), i == 0, i == count - 2);
+  bool at_node = nodes.weights.y == Real(0.0) || nodes.weights.z == Real(0.0);
+  nodes.low = at_node ? (nodes.weights.y == Real(0.0) ? 2 : 1) : 0;
+  nodes.high = at_node ? nodes.low : 3;
   return nodes;
 }
 
@@ -169,10 +187,7 @@ FN SkyViewPlace sky_view_place(Real altitude_rad, Real dip_rad, bool meets_groun
 FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, int row, int azimuth,
                           SkyTableFrame frame) {
   vec4 sum = vec4(Real(0.0));
-  for (int h = 0; h < 4; ++h) {
-    if (heights.weights[h] == Real(0.0)) {
-      continue;
-    }
+  for (int h = heights.low; h <= heights.high; ++h) {
     vec4 part = vec4(Real(0.0));
     for (int l = 0; l < 4; ++l) {
       ivec3 texel = ivec3(azimuth + sky_azimuths * sky_node(lights, l, frame.lights), row,
@@ -184,36 +199,47 @@ FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, in
   return sum;
 }
 
+// The share of the node number k over the azimuth in the number m of the cosine series through all nodes.
+FN Real sky_series_weight(int m, int k) {
+  int last = sky_azimuths - 1;
+  Real weight = cos(sky_half_turn * Real(m * k) / Real(last)) / Real(last);
+  weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
+  return weight * (m == 0 || m == last ? Real(1.0) : Real(2.0));
+}
+
 // Number m of the cosine series over the azimuth through the nodes of a row, for an observer's height and an altitude of
 // the light: what a frame needs of a table. The series is the polynomial in the cosine that passes through all nodes.
 FN vec4 sky_slice_texel(sampler3D table, Real height_km, Real light_altitude_rad, int row, int m, SkyTableFrame frame) {
   SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
   SkyNodes lights = sky_nodes(sky_light_place(light_altitude_rad, frame), frame.lights);
-  int last = sky_azimuths - 1;
   vec4 sum = vec4(Real(0.0));
   for (int k = 0; k < sky_azimuths; ++k) {
-    Real weight = cos(sky_half_turn * Real(m * k) / Real(last));
-    weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
-    sum += weight * sky_table_between(table, heights, lights, row, k, frame);
+    sum += sky_series_weight(m, k) * sky_table_between(table, heights, lights, row, k, frame);
   }
-  return sum * (m == 0 || m == last ? Real(1.0) : Real(2.0)) / Real(last);
+  return sum;
+}
+
+// Number m of the series at a view between a slice's rows; x of the slice counts from `first`.
+FN vec4 sky_slice_between(sampler2D slice, int first, SkyViewPlace view, int m) {
+  SkyNodes nodes = sky_nodes(view.place, view.rows);
+  vec4 sum = vec4(Real(0.0));
+  for (int k = 0; k < 4; ++k) {
+    sum += nodes.weights[k] *
+           texelFetch(slice, ivec2(first + m, view.first_row + sky_node(nodes, k, view.rows)), 0);
+  }
+  return sum;
 }
 
 // The logarithm of the mean source in a direction, from a slice: x number of the series, y row.
 FN vec4 sky_slice_log2(sampler2D slice, SkyViewPlace view, Real cos_azimuth) {
-  SkyNodes nodes = sky_nodes(view.place, view.rows);
-  vec4 b1 = vec4(Real(0.0)); // Clenshaw's sums
-  vec4 b2 = vec4(Real(0.0));
   vec4 sum = vec4(Real(0.0));
-  for (int m = sky_azimuths - 1; m >= 0; --m) {
-    vec4 a = vec4(Real(0.0));
-    for (int k = 0; k < 4; ++k) {
-      a += nodes.weights[k] * texelFetch(slice, ivec2(m, view.first_row + sky_node(nodes, k, view.rows)), 0);
-    }
-    sum = a + cos_azimuth * b1 - b2;
-    vec4 b0 = a + Real(2.0) * cos_azimuth * b1 - b2;
-    b2 = b1;
-    b1 = b0;
+  Real before = cos_azimuth; // cos((m - 1) azimuth)
+  Real now = Real(1.0);
+  for (int m = 0; m < sky_azimuths; ++m) {
+    sum += now * sky_slice_between(slice, 0, view, m);
+    Real next = Real(2.0) * cos_azimuth * now - before;
+    before = now;
+    now = next;
   }
   return sum;
 }
@@ -224,21 +250,15 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
   SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
   SkyNodes lights = sky_nodes(sky_light_place(light_altitude_rad, frame), frame.lights);
   SkyNodes rows = sky_nodes(view.place, view.rows);
+  // The series through the nodes, in its barycentric form (Berrut and Trefethen 2004, SIAM Review 46, 501).
   int last = sky_azimuths - 1;
   vec4 sum = vec4(Real(0.0));
+  Real all = Real(0.0);
   for (int k = 0; k < sky_azimuths; ++k) {
-    // The node's share in the series: sum over m of the node's part of coefficient m times cos(m azimuth).
-    Real share = Real(0.0);
-    Real before = cos_azimuth; // cos((m - 1) azimuth)
-    Real now = Real(1.0);
-    for (int m = 0; m < sky_azimuths; ++m) {
-      Real weight = m == 0 || m == last ? Real(0.5) : Real(1.0);
-      share += weight * now * cos(sky_half_turn * Real(m * k) / Real(last));
-      Real next = Real(2.0) * cos_azimuth * now - before;
-      before = now;
-      now = next;
-    }
-    share *= (k == 0 || k == last ? Real(1.0) : Real(2.0)) / Real(last);
+    Real apart = cos_azimuth - cos(sky_half_turn * Real(k) / Real(last));
+    Real share = (k == 0 || k == last ? Real(0.5) : Real(1.0)) / (abs(apart) < Real(1.0e-6) ? Real(1.0e-6) : apart);
+    share = k % 2 == 0 ? share : -share;
+    all += share;
     for (int r = 0; r < 4; ++r) {
       if (rows.weights[r] != Real(0.0)) {
         int row = view.first_row + sky_node(rows, r, view.rows);
@@ -246,7 +266,7 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
       }
     }
   }
-  return sum;
+  return sum / all;
 }
 
 // Share of a light that is left after the air toward space, as a logarithm to base 2 of X, Y, Z and S, for a view that
@@ -270,7 +290,7 @@ FN vec4 sky_transmittance_log2(sampler2D table, Real height_km, Real altitude_ra
   SkyNodes columns = sky_nodes(sqrt(over) * Real(nodes.altitudes - 1), nodes.altitudes);
   SkyNodes rows = sky_nodes(sqrt(share) * Real(nodes.heights - 1), nodes.heights);
   vec4 sum = vec4(Real(0.0));
-  for (int r = 0; r < 4; ++r) {
+  for (int r = rows.low; r <= rows.high; ++r) {
     for (int c = 0; c < 4; ++c) {
       sum += rows.weights[r] * columns.weights[c] *
              texelFetch(table, ivec2(sky_node(columns, c, nodes.altitudes), sky_node(rows, r, nodes.heights)), 0);

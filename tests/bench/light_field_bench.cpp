@@ -62,10 +62,10 @@ void run() {
   std::printf("published,published,3,%d,,,,%.2f\n", baseline::PublishedOptions{}.orders, processor_s() - begin);
   measure(published, "published", {440.0, 550.0, 680.0});
   const Medium clear = clear_medium();
-  for (const int count : {4, 8, 12, 16}) {
-    std::vector<double> wavelengths_nm;
-    for (int i = 0; i < count; ++i) {
-      wavelengths_nm.push_back(400.0 + 300.0 * i / (count - 1));
+  for (const std::size_t count : {4U, 8U, 12U, 16U}) {
+    std::vector<double> wavelengths_nm(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      wavelengths_nm[i] = 400.0 + 300.0 * static_cast<double>(i) / static_cast<double>(count - 1);
     }
     measure(clear, "clear", wavelengths_nm);
   }

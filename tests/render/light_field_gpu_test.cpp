@@ -3,7 +3,8 @@
 
 #include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
-#include "vesper/gpu/light_field_solver.hpp"
+#include "vesper/atmosphere/sky_tables.hpp"
+#include "vesper/gpu/light_gatherer.hpp"
 
 #include "support/truth.hpp"
 
@@ -16,9 +17,10 @@ namespace {
 
 using LightFieldGpu = RenderTest;
 
+constexpr LightFieldSize small{8, 10, 4, 8, 3, 0.3, 1.0, 0.1, 4};
+
 void compare(const gpu::ShaderLibrary& shaders, const Medium& medium, const std::vector<double>& wavelengths_nm,
              const std::string& name) {
-  const LightFieldSize small{8, 10, 4, 8, 3, 0.3, 1.0, 0.1, 4};
   const SampledAir air(medium);
   const SpectralAir optics(medium, wavelengths_nm);
   const LightFieldModel model(air, optics, small, 0);
@@ -86,6 +88,25 @@ TEST_F(LightFieldGpu, AirWithoutAerosol) {
   Medium medium = published_medium();
   medium.components.erase(medium.components.begin() + 1);
   compare(shaders, medium, {440.0}, "molecules alone");
+}
+
+TEST_F(LightFieldGpu, TablesOfTheSky) {
+  const SkyTableSize size{3, 2, 4, 12, small};
+  const SkyTables expected = make_sky_tables(published_medium(), size);
+  const SkyTables tables = make_sky_tables(published_medium(), size, 0, {}, [this](const LightFieldModel& model) {
+    gpu::GpuLightGatherer gatherer(shaders, model);
+    return solve_light_field(model, gatherer, 0);
+  });
+  ErrorSum errors;
+  for (std::size_t k = 0; k < expected.other.size(); ++k) {
+    for (int i = 0; i < 4; ++i) {
+      // Logarithms to base 2 of luminance; below, twilight is over.
+      if (expected.other[k][i] > -30.0F) {
+        errors.add(std::exp2(static_cast<double>(tables.other[k][i] - expected.other[k][i])) - 1.0);
+      }
+    }
+  }
+  errors.hold("tables of the sky from the GPU's light field, relative", 1.0e-4, "");
 }
 
 } // namespace

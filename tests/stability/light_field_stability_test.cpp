@@ -81,6 +81,7 @@ f64::LightStep in_double(const f32::LightStep& step) {
 
 std::vector<f64::Light> in_double(const std::vector<Lanes>& lights) {
   std::vector<f64::Light> result;
+  result.reserve(lights.size());
   for (const Lanes& light : lights) {
     result.emplace_back(light[0], light[1], light[2], light[3]);
   }

@@ -1,4 +1,4 @@
-#include "vesper/gpu/light_field_solver.hpp"
+#include "vesper/gpu/light_gatherer.hpp"
 
 #include "vesper/base/error.hpp"
 
