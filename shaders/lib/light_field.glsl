@@ -88,7 +88,8 @@ struct DepthPlace {
 // A light below the horizon is taken at it.
 FN DepthPlace depth_place(LightStep at, Real cosine, LightShell shell) {
   Real radius_km = shell.ground_km + at.height_km;
-  Real nearest = shell.top_km - radius_km;
+  // Not from the radii, whose rounding may put the place above the top.
+  Real nearest = max(shell.top_km - shell.ground_km - at.height_km, Real(0.0));
   Real reach2 = nearest * (shell.top_km + radius_km);
   Real along = radius_km * abs(cosine);
   Real distance = reach2 / max(along + sqrt(along * along + reach2), Real(1.0e-6));
