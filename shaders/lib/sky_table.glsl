@@ -18,6 +18,9 @@ struct SkyTableFrame {
 CONSTANT Real sky_half_turn = Real(3.141592653589793);
 CONSTANT int sky_azimuths = 8; // nodes over half a turn, at equal steps
 
+// Angle whose sine is given. GLSL's own may be off by 1e-4, which is much of a twilight's slope.
+FN Real sky_arc_sine(Real sine) { return atan(sine, sqrt(max((Real(1.0) - sine) * (Real(1.0) + sine), Real(0.0)))); }
+
 // Geometric dip of the horizon.
 FN Real sky_dip(Real height_km, SkyTableFrame frame) {
   Real h = max(height_km, Real(0.0));
@@ -336,7 +339,7 @@ FN vec4 sky_ground_view_log2(sampler2D transmittance, Real height_km, Real altit
   Real h = max(height_km, Real(0.0));
   Real rise = (frame.ground_km + h) * sin(altitude_rad);
   Real root = sqrt(max(rise * rise - h * (Real(2.0) * frame.ground_km + h), Real(0.0)));
-  Real from_ground_rad = asin(clamp(root / frame.ground_km, Real(0.0), Real(1.0)));
+  Real from_ground_rad = atan(root, (frame.ground_km + h) * cos(altitude_rad));
   // The same ray upwards: all of the air along it, less what lies behind the observer.
   vec4 all = sky_transmittance_log2(transmittance, Real(0.0), from_ground_rad, nodes, frame);
   vec4 behind = sky_transmittance_log2(transmittance, h, -altitude_rad, nodes, frame);
