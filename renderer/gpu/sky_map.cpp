@@ -179,7 +179,7 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
     return;
   }
   phase_of_ = share == 1.0F ? tables : nullptr;
-  phase_.resize(4 * phase_texels);
+  phase_.resize(std::size_t{4} * phase_texels);
   const auto log2_phase = [&](float cos_angle) {
     return std::log2(
         f32::sky_aerosol_phase(line_sampler(tables->phase), cos_angle, static_cast<int>(tables->phase.size())));
