@@ -14,3 +14,18 @@ function(vesper_embed target symbol)
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
 endfunction()
+
+# vesper_digest(TARGET SYMBOL FILE...)
+# Compiles a digest of the files' contents into TARGET: `extern const std::string_view SYMBOL;` (in namespace vesper).
+function(vesper_digest target symbol)
+  set(output ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.cpp)
+  list(JOIN ARGN "|" joined)
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} -D SYMBOL=${symbol} -D OUTPUT=${output} -D "FILES=${joined}" -P
+            ${PROJECT_SOURCE_DIR}/cmake/digest.cmake
+    DEPENDS ${ARGN} ${PROJECT_SOURCE_DIR}/cmake/digest.cmake
+    COMMENT "Digest ${symbol}"
+    VERBATIM)
+  target_sources(${target} PRIVATE ${output})
+endfunction()

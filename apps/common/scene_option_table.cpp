@@ -210,10 +210,13 @@ std::string apply_layers(std::string_view text, SceneOptions& scene) {
 }
 
 std::string apply_sky(std::string_view text, SceneOptions& scene) {
-  if (text != "reference") {
-    return "reference";
+  if (text == "tables") {
+    scene.sky = SkyModel::tables;
+  } else if (text == "reference") {
+    scene.sky = SkyModel::reference;
+  } else {
+    return "tables, reference";
   }
-  scene.sky = SkyModel::reference;
   return "";
 }
 
@@ -274,8 +277,11 @@ constexpr std::array table{
                            "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
                            "What to draw, comma-separated: stars, planets, sky, ground; default all", apply_layers},
-    SceneOptionDescription{"sky", Kind::text, "NAME", model,
-                           "How the light of the air is found: reference, a Monte Carlo; default reference", apply_sky},
+    SceneOptionDescription{
+        "sky", Kind::text, "NAME", model,
+        "How the light of the air is found: tables, solved once for a medium and kept, or reference, a "
+        "Monte Carlo; default tables",
+        apply_sky},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

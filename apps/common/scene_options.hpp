@@ -26,6 +26,7 @@ namespace vesper {
 
 /// Where the light of the air comes from.
 enum class SkyModel {
+  tables,    ///< solved once for the medium: atmosphere/sky_tables.hpp
   reference, ///< the Monte Carlo of atmosphere/reference_transport.hpp
 };
 
@@ -45,7 +46,7 @@ struct SceneOptions {
   std::string medium_name = "clear";    ///< of a preset, or the path of the file
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
-  SkyModel sky = SkyModel::reference;
+  SkyModel sky = SkyModel::tables;
   std::uint64_t seed = 0; ///< of everything random
 };
 

@@ -130,8 +130,11 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
   BatchReport report;
   report.csv = header_of(input, columns);
   const std::size_t rows = input.row_count();
-  const bool slow = std::any_of(columns.begin(), columns.end(), [](const SceneColumn& column) { return column.slow; });
-  const std::size_t rows_per_chunk = slow ? 1 : quick_rows_per_chunk;
+  const bool lit = std::any_of(columns.begin(), columns.end(), [](const auto& column) { return column.of_light; });
+  const std::size_t rows_per_chunk = lit && air.model() == SkyModel::reference ? 1 : quick_rows_per_chunk;
+  if (lit && air.model() == SkyModel::tables) {
+    static_cast<void>(air.tables()); // with a progress bar of their own
+  }
 
   struct Chunk {
     std::string csv;
@@ -161,8 +164,9 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
             append_csv_field(chunk.csv, input.cell(row, column));
             chunk.csv += ',';
           }
+          const ReportedScene scene{sky, air, {}};
           for (const SceneColumn& column : columns) {
-            append_number(chunk.csv, column.value({sky, air}));
+            append_number(chunk.csv, column.value(scene));
             chunk.csv += ',';
           }
           chunk.csv.back() = '\n';

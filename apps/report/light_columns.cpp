@@ -25,10 +25,13 @@ std::uint64_t stream_of(const SkyState& sky, Measure measure, std::size_t light)
   return stream;
 }
 
-/// Sun and Moon, each to be seen by the eye.
-std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure measure) {
+/// Sun and Moon or one of them, each to be seen by the eye.
+std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure measure, std::string_view only) {
   std::vector<WeightedLight> weighted;
   for (SkyLight& light : lights_of(scene.sky)) {
+    if (!only.empty() && light.name != only) {
+      continue;
+    }
     const std::vector<double> y = spectral_weights(light.irradiance, scene.air.transport().wavelengths_nm()).y;
     const std::uint64_t stream = stream_of(scene.sky, measure, light.name == "sun" ? 0 : 1);
     weighted.push_back({std::move(light), {y}, stream});
@@ -40,17 +43,38 @@ std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure m
 constexpr double faint_lux = 6.0e-6;
 constexpr double faint_cd_m2 = 1.7e-6;
 
+LevelLight reference_illuminance(const ReportedScene& scene, std::string_view only = "") {
+  return level_light(scene.air.transport(), height_in_air(scene.sky.observer),
+                     lights_for_eyes(scene, illuminance, only), {scene.air.budget(), faint_lux});
+}
+
+double reference_zenith(const ReportedScene& scene, std::string_view only = "") {
+  return sky_radiance(scene.air.transport(), height_in_air(scene.sky.observer), {0.0, 0.0, 1.0},
+                      lights_for_eyes(scene, zenith_luminance, only), 1, {scene.air.budget(), faint_cd_m2})
+      .quantities[0]
+      .mean;
+}
+
+SourceLight reference_light(const ReportedScene& scene, std::string_view source) {
+  const LevelLight level = reference_illuminance(scene, source);
+  return {level.direct, level.total.mean - level.direct, reference_zenith(scene, source)};
+}
+
+bool by_tables(const ReportedScene& scene) { return scene.air.model() == SkyModel::tables; }
+
 double horizontal_illuminance_lux(const ReportedScene& scene) {
-  return level_light(scene.air.transport(), height_in_air(scene.sky.observer), lights_for_eyes(scene, illuminance),
-                     {scene.air.budget(), faint_lux})
-      .total.mean;
+  if (by_tables(scene)) {
+    const auto& [sun, moon] = light_of(scene);
+    return sun.direct_lux + sun.diffuse_lux + moon.direct_lux + moon.diffuse_lux;
+  }
+  return reference_illuminance(scene).total.mean; // at less cost than the sum of its parts
 }
 
 double zenith_luminance_cd_m2(const ReportedScene& scene) {
-  return sky_radiance(scene.air.transport(), height_in_air(scene.sky.observer), {0.0, 0.0, 1.0},
-                      lights_for_eyes(scene, zenith_luminance), 1, {scene.air.budget(), faint_cd_m2})
-      .quantities[0]
-      .mean;
+  if (by_tables(scene)) {
+    return light_of(scene).sun.zenith_luminance_cd_m2 + light_of(scene).moon.zenith_luminance_cd_m2;
+  }
+  return reference_zenith(scene);
 }
 
 double zenith_extinction(const ReportedScene& scene) {
@@ -61,9 +85,29 @@ constexpr std::array columns{
     SceneColumn{"zenith_extinction_v_mag", zenith_extinction},
     SceneColumn{"horizontal_illuminance_lux", horizontal_illuminance_lux, true},
     SceneColumn{"zenith_luminance_cd_m2", zenith_luminance_cd_m2, true},
+    SceneColumn{"sun_direct_illuminance_lux", [](const ReportedScene& s) { return light_of(s).sun.direct_lux; }, true},
+    SceneColumn{"sun_diffuse_illuminance_lux", [](const ReportedScene& s) { return light_of(s).sun.diffuse_lux; },
+                true},
+    SceneColumn{"sun_zenith_luminance_cd_m2",
+                [](const ReportedScene& s) { return light_of(s).sun.zenith_luminance_cd_m2; }, true},
+    SceneColumn{"moon_direct_illuminance_lux", [](const ReportedScene& s) { return light_of(s).moon.direct_lux; },
+                true},
+    SceneColumn{"moon_diffuse_illuminance_lux", [](const ReportedScene& s) { return light_of(s).moon.diffuse_lux; },
+                true},
+    SceneColumn{"moon_zenith_luminance_cd_m2",
+                [](const ReportedScene& s) { return light_of(s).moon.zenith_luminance_cd_m2; }, true},
 };
 
 } // namespace
+
+const SceneLight& light_of(const ReportedScene& scene) {
+  if (!scene.light) {
+    scene.light = by_tables(scene)
+                      ? table_light(scene.air.tables(), height_in_air(scene.sky.observer), lights_of(scene.sky))
+                      : SceneLight{reference_light(scene, "sun"), reference_light(scene, "moon")};
+  }
+  return *scene.light;
+}
 
 std::span<const SceneColumn> light_columns() { return columns; }
 

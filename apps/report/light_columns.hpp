@@ -4,16 +4,22 @@
 
 namespace vesper {
 
-/// What the air does to light and how bright it is, from the scene's medium and model of the sky; to be asked for by
-/// name, since all but the first take seconds a row.
+/// What the air does to light and how bright it is, from the scene's medium and model of the sky:
 ///
 /// - zenith_extinction_v_mag: magnitudes in V that sunlight loses from the zenith down to the observer.
 /// - horizontal_illuminance_lux: of Sun and Moon, their own light through the air (a disc that the horizon cuts counts
 ///   in part) and that of the sky and the ground.
 /// - zenith_luminance_cd_m2: of the sky there, without the discs of Sun and Moon.
+/// - sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2, and the same of the Moon:
+/// what
+///   the two before are sums of.
 ///
-/// Both within the budget's relative error of themselves, or of a hundredth of the darkest night where less light is.
-/// Random numbers are drawn after seed, instant and place: a scene has the same values alone and in any table.
+/// By the tables what is left out of them (docs/ACCURACY.md). By the reference, in seconds a column and row, each
+/// within the budget's relative error of itself, or of a hundredth of the darkest night where less light is; random
+/// numbers are drawn after seed, instant and place: a scene has the same values alone and in any table.
 [[nodiscard]] std::span<const SceneColumn> light_columns();
+
+/// The light of a scene by its sources, found once.
+[[nodiscard]] const SceneLight& light_of(const ReportedScene& scene);
 
 } // namespace vesper

@@ -3,6 +3,7 @@
 #include "report/crew.hpp"
 #include "report/eclipse_report.hpp"
 #include "report/event_report.hpp"
+#include "report/light_columns.hpp"
 #include "report/scene_columns.hpp"
 #include "report/scene_text.hpp"
 #include "report/sky_report.hpp"
@@ -11,6 +12,7 @@
 #include "common/option_text.hpp"
 #include "common/program.hpp"
 #include "common/scene_options.hpp"
+#include "common/sky_tables_cache.hpp"
 
 #include "vesper/assets/default_stars.hpp"
 #include "vesper/astro/delta_t.hpp"
@@ -84,13 +86,18 @@ std::string scene_lines(const ReportedScene& scene, const std::vector<SceneColum
 }
 
 void report_scene(const SceneOptions& scene, const ReportOptions& options) {
-  const std::vector<SceneColumn> columns = select_columns(options.columns);
+  // What a scene is said to be without columns asked for: all that is found without long work.
+  std::vector<SceneColumn> columns = select_columns(options.columns);
+  if (options.columns.empty()) {
+    columns.insert(columns.end(), light_columns().begin(), light_columns().end());
+  }
   SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
   sky.refraction = refraction_of(scene);
   const SceneAir air(scene, path_budget(options.budget, scene));
-  deliver(options.json              ? scene_json({sky, air}, columns)
-          : options.columns.empty() ? scene_text(sky, default_star_catalogue())
-                                    : scene_lines({sky, air}, columns),
+  const ReportedScene reported{sky, air, {}};
+  deliver(options.json              ? scene_json(reported, columns)
+          : options.columns.empty() ? scene_text(sky, default_star_catalogue(), light_of(reported))
+                                    : scene_lines(reported, columns),
           options.output);
 }
 
@@ -152,6 +159,15 @@ bool has_extension(const std::string& path, std::string_view wanted) {
   return extension == wanted;
 }
 
+void deliver_sky(const SkyRequest& request, const SkyResults& results, const ReportOptions& options, bool as_picture) {
+  if (as_picture) {
+    const View& view = request.picture.value();
+    write_exr(options.output, view.width, view.height, sky_picture(request, results), describe_picture(request));
+  } else {
+    deliver(options.json ? sky_report_json(request, results) : sky_report_csv(request, results), options.output);
+  }
+}
+
 void report_sky(const SceneOptions& scene, const ReportOptions& options, const std::optional<CsvTable>& directions,
                 Crew& crew) {
   // vesper-render writes PNG: who asks for one here wants a picture, not a table under its name.
@@ -166,6 +182,12 @@ void report_sky(const SceneOptions& scene, const ReportOptions& options, const s
   if (request.lights.empty()) {
     spdlog::info("neither Sun nor Moon is near enough to the horizon to light the air");
   }
+  if (request.model == SkyModel::tables) {
+    if (crew.leads()) {
+      deliver_sky(request, sky_results(request, *scene_sky_tables(scene, request.budget.threads)), options, exr);
+    }
+    return;
+  }
   if (constexpr std::size_t many = 10000; request.points.size() >= many) {
     spdlog::info("{} directions, each of which may take a second of a core: --size makes a smaller picture",
                  request.points.size());
@@ -178,12 +200,7 @@ void report_sky(const SceneOptions& scene, const ReportOptions& options, const s
   if (!crew.leads()) {
     return;
   }
-  if (exr) {
-    const View& view = request.picture.value();
-    write_exr(options.output, view.width, view.height, sky_picture(request, results), describe_picture(request));
-  } else {
-    deliver(options.json ? sky_report_json(request, results) : sky_report_csv(request, results), options.output);
-  }
+  deliver_sky(request, results, options, exr);
   if (!partial.empty()) {
     std::error_code ignored; // the results are safe in the output
     std::filesystem::remove(partial, ignored);
@@ -209,8 +226,9 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option(
          "--columns", options.columns,
          "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
-         "medium and, from the reference sky in seconds a scene, horizontal_illuminance_lux and "
-         "zenith_luminance_cd_m2; default, the usual ones, and planets stand for groups; default default")
+         "medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, sun_direct_illuminance_lux, "
+         "sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's; default (the usual ones), planets "
+         "and light stand for groups; default default, of a scene as JSON light too")
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 

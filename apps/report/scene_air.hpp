@@ -5,12 +5,13 @@
 
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/atmosphere/reference_transport.hpp"
+#include "vesper/atmosphere/sky_tables.hpp"
 
 #include <memory>
 
 namespace vesper {
 
-/// Medium and transport of a scene; the transport is made when it is first asked for. Any thread may ask.
+/// Medium, tables and transport of a scene; what takes long is made when it is first asked for. Any thread may ask.
 class SceneAir {
 public:
   /// \param scene  with a medium, as scene_from gives it
@@ -21,6 +22,10 @@ public:
   SceneAir& operator=(SceneAir&&) noexcept;
 
   [[nodiscard]] const Medium& medium() const;
+  /// How the light in it is to be found.
+  [[nodiscard]] SkyModel model() const;
+  /// From a cache, if they are there (sky_tables_cache.hpp); takes seconds otherwise.
+  [[nodiscard]] const SkyTables& tables() const;
   /// At the medium's wavelengths. Takes seconds at first.
   [[nodiscard]] const ReferenceTransport& transport() const;
   [[nodiscard]] const PathBudget& budget() const;

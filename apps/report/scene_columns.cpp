@@ -46,7 +46,7 @@ std::string allowed_names() {
   for (const SceneColumn& column : columns) {
     names.append(column.name).append(", ");
   }
-  names += "default for all of these, planets for those of all planets (venus_magnitude, ...)";
+  names += "default for all of these, planets for those of all planets (venus_magnitude, ...), light for these";
   for (const SceneColumn& column : light_columns()) {
     names.append(", ").append(column.name);
   }
@@ -60,6 +60,9 @@ std::span<const SceneColumn> columns_named(std::string_view name) {
   }
   if (name == "planets") {
     return planet_columns();
+  }
+  if (name == "light") {
+    return light_columns();
   }
   for (const std::span<const SceneColumn> group :
        {std::span<const SceneColumn>(columns), planet_columns(), light_columns()}) {

@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -133,6 +134,20 @@ std::string eclipse_text(const SkyState& sky) {
   return "";
 }
 
+/// What Sun and Moon give, to three digits.
+std::string light_text(const SceneLight& light) {
+  std::string text;
+  for (const auto& [name, source] : {std::pair("Sun", light.sun), std::pair("Moon", light.moon)}) {
+    if (source.diffuse_lux > 0.0) {
+      fmt::format_to(std::back_inserter(text),
+                     "{}{:.3g} lx of the {} on level ground, {:.3g} lx of it from the sky; zenith {:.3g} cd/m²\n",
+                     text.empty() ? "Light   " : "        ", source.direct_lux + source.diffuse_lux, name,
+                     source.diffuse_lux, source.zenith_luminance_cd_m2);
+    }
+  }
+  return text.empty() ? "Light   of stars alone: Sun and Moon are far below the horizon\n" : text;
+}
+
 std::string place_text(const Observer& observer) {
   const double latitude = observer.latitude.to(deg);
   const double longitude = std::remainder(observer.longitude.to(deg), 360.0);
@@ -174,7 +189,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
   return waxing ? "waxing gibbous" : "waning gibbous";
 }
 
-std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
+std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light) {
   const BodyPlace& moon = sky.moon.place;
   const Refraction refraction = with_table(sky.refraction);
   const Angle horizon = horizon_altitude(refraction, sky.observer.height);
@@ -192,6 +207,7 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue) {
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
   text += eclipse_text(sky);
   fmt::format_to(out, "        {}\n", face_text(sky.moon));
+  text += light_text(light);
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }

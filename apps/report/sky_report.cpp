@@ -1,15 +1,19 @@
 #include "report/sky_report.hpp"
 
 #include "report/sky_partial.hpp"
+#include "report/table_light.hpp"
 
 #include "common/progress_bar.hpp"
 
 #include "vesper/astro/spherical.hpp"
+#include "vesper/atmosphere/level_illuminance.hpp"
 #include "vesper/base/csv.hpp"
+#include "vesper/base/worker_pool.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <mutex>
@@ -68,16 +72,24 @@ private:
 
 /// Names of the numbers of a result.
 std::vector<std::string> value_names(const SkyRequest& request) {
+  const bool by_chance = request.model == SkyModel::reference;
   std::vector<std::string> names;
   for (const SkyQuantity& quantity : request.quantities) {
     names.push_back(quantity.name + "_" + quantity.unit);
-    names.push_back(quantity.name + "_error_" + quantity.unit);
+    if (by_chance) {
+      names.push_back(quantity.name + "_error_" + quantity.unit);
+    }
   }
   if (request.illuminance) {
-    names.insert(names.end(),
-                 {"horizontal_illuminance_lux", "horizontal_illuminance_error_lux", "direct_illuminance_lux"});
+    names.emplace_back("horizontal_illuminance_lux");
+    if (by_chance) {
+      names.emplace_back("horizontal_illuminance_error_lux");
+    }
+    names.emplace_back("direct_illuminance_lux");
   }
-  names.emplace_back("paths");
+  if (by_chance) {
+    names.emplace_back("paths");
+  }
   if (request.timings) {
     names.emplace_back("seconds");
   }
@@ -100,6 +112,10 @@ std::vector<NamedNumber> place_of(const SkyRequest& request, const SkyPoint& poi
   }
   return place;
 }
+
+std::string_view name_of(SkyModel model) { return model == SkyModel::tables ? "tables" : "reference"; }
+
+Vec4 to_vec4(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
 
 double altitude_deg(const Vec3& direction) { return latitude_of(direction).to(deg); }
 double azimuth_deg(const Vec3& direction) { return whole_turn_atan2(direction.x, direction.y).to(deg); }
@@ -138,6 +154,48 @@ SkyResults sky_results(const SkyRequest& request, const std::string& partial, Cr
   return results;
 }
 
+SkyResults sky_results(const SkyRequest& request, const SkyTables& tables) {
+  std::vector<std::pair<SkyLight, Mat4>> lights;
+  for (const WeightedLight& weighted : request.lights) {
+    lights.emplace_back(weighted.light, from_table_light(weighted.light));
+  }
+  const auto result_of = [&](const SkyPoint& point) {
+    const auto start = std::chrono::steady_clock::now();
+    Vec4 luminance(0.0);
+    double direct = 0.0;
+    double diffuse = 0.0;
+    for (const auto& [light, matrix] : lights) {
+      const Vec3 direction = point.sun && light.name == "sun" ? point.sun->direction() : light.direction;
+      luminance +=
+          matrix *
+          to_vec4(sky_luminance(tables, {request.height, direction, light.angular_radius, point.place.direction()}));
+      if (request.illuminance) {
+        const Angle altitude = latitude_of(direction);
+        direct += (matrix * to_vec4(direct_illuminance(tables, request.height, altitude, light.angular_radius))).y;
+        diffuse += (matrix * to_vec4(diffuse_illuminance(tables, request.height, altitude))).y;
+      }
+    }
+    std::vector<double> values{luminance.y, luminance.x, luminance.z, luminance.w};
+    if (request.illuminance) {
+      values.insert(values.end(), {direct + diffuse, direct});
+    }
+    if (request.timings) {
+      values.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return values;
+  };
+  SkyResults results(request.points.size());
+  parallel_for(
+      results.size(), 256,
+      [&](std::size_t begin, std::size_t end) {
+        std::transform(request.points.begin() + static_cast<std::ptrdiff_t>(begin),
+                       request.points.begin() + static_cast<std::ptrdiff_t>(end),
+                       results.begin() + static_cast<std::ptrdiff_t>(begin), result_of);
+      },
+      request.budget.threads);
+  return results;
+}
+
 std::string sky_report_csv(const SkyRequest& request, const SkyResults& results) {
   std::string csv;
   for (const auto& [name, value] : place_of(request, request.points.at(0))) {
@@ -162,8 +220,11 @@ std::string sky_report_json(const SkyRequest& request, const SkyResults& results
   nlohmann::ordered_json json;
   json["medium"] = request.medium_name;
   json["height_m"] = request.height.to(metre);
-  json["relative_error"] = request.budget.relative_error;
-  json["seed"] = request.budget.seed;
+  json["sky"] = name_of(request.model);
+  if (request.model == SkyModel::reference) {
+    json["relative_error"] = request.budget.relative_error;
+    json["seed"] = request.budget.seed;
+  }
   json["lights"] = nlohmann::ordered_json::array();
   for (const WeightedLight& weighted : request.lights) {
     nlohmann::ordered_json light;
@@ -195,14 +256,15 @@ std::string sky_report_json(const SkyRequest& request, const SkyResults& results
 std::vector<float> sky_picture(const SkyRequest& request, const SkyResults& results) {
   const View& view = request.picture.value();
   std::vector<float> xyzs(static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height) * 4);
-  // Where X, Y, Z and S stand among the numbers of a result: luminance, x, z, s, each with its error.
-  constexpr std::array<std::size_t, 4> places{2, 0, 4, 6};
+  // Where X, Y, Z and S stand among the quantities: luminance, x, z, s, by the reference each with its error.
+  constexpr std::array<std::size_t, 4> places{1, 0, 2, 3};
+  const std::size_t numbers = request.model == SkyModel::reference ? 2 : 1;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const auto [column, row] = request.points[i].pixel;
     const std::size_t pixel =
         static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column);
     for (std::size_t channel = 0; channel < places.size(); ++channel) {
-      xyzs[4 * pixel + channel] = static_cast<float>(results[i].at(places.at(channel)));
+      xyzs[4 * pixel + channel] = static_cast<float>(results[i].at(numbers * places.at(channel)));
     }
   }
   return xyzs;
@@ -214,8 +276,12 @@ ImageMetadata describe_picture(const SkyRequest& request) {
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
-      {"vesper:sky", fmt::format("reference, medium {}, relative error {}, seed {}, height {} m", request.medium_name,
-                                 request.budget.relative_error, request.budget.seed, request.height.to(metre))},
+      {"vesper:sky",
+       fmt::format("{}, medium {}{}, height {} m", name_of(request.model), request.medium_name,
+                   request.model == SkyModel::reference
+                       ? fmt::format(", relative error {}, seed {}", request.budget.relative_error, request.budget.seed)
+                       : "",
+                   request.height.to(metre))},
       {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
   for (const WeightedLight& weighted : request.lights) {
     metadata.emplace_back("vesper:" + weighted.light.name,

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -211,12 +212,15 @@ PathBudget path_budget(const BudgetOptions& options, const SceneOptions& scene) 
 CLI::App* add_sky_command(CLI::App& app, SkyOptions& options) {
   CLI::App* sky = app.add_subcommand(
       "sky",
-      "Luminance and radiance of the sky under Sun and Moon, with standard errors (1 sigma), as CSV, JSON or an EXR "
-      "picture. Their discs are not in it. Rays are straight and the lights stand at their airless places. Eclipses do "
-      "not dim them. With -o FILE, finished directions are kept in FILE.partial until FILE is complete: the same "
-      "request goes on from there");
-  sky->add_flag("--reference", options.reference,
-                "By the reference, a spectral Monte Carlo of all orders; must be given, there is no other yet");
+      "Luminance of the sky under Sun and Moon as CSV, JSON or an EXR picture, by tables or by the reference, which "
+      "also "
+      "gives radiances and standard errors (1 sigma). Their discs are not in it. Rays are straight and the lights "
+      "stand "
+      "at their airless places; eclipses dim them. With --reference and -o FILE, finished directions are kept in "
+      "FILE.partial until FILE is complete: the same request goes on from there");
+  sky->add_flag(
+      "--reference", options.reference,
+      "By the reference, a spectral Monte Carlo of all orders, with standard errors; the same as --sky reference");
   sky->add_flag("--zenith", options.zenith, "Look to the zenith; the default");
   sky->add_option("--directions", options.directions,
                   "Look where a CSV tells: columns altitude_deg, azimuth_deg, and perhaps sun_altitude_deg, "
@@ -266,8 +270,17 @@ bool lights_by_hand(const SkyOptions& options, const std::optional<CsvTable>& di
 
 SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, const SceneOptions& scene,
                        const std::optional<CsvTable>& directions, bool picture_by_output) {
-  if (!options.reference) {
-    throw Error(ErrorKind::argument, "sky: give --reference, the model that there is so far");
+  const SkyModel model = options.reference ? SkyModel::reference : scene.sky;
+  if (model == SkyModel::tables) {
+    for (const auto& [option, given] :
+         {std::pair("--wavelengths", !options.wavelengths.empty()),
+          std::pair("--unit-irradiance", options.unit_irradiance), std::pair("--orders", !budget.orders.empty())}) {
+      if (given) {
+        throw Error(ErrorKind::argument, fmt::format("{}: only with --reference; tables hold the light of all orders "
+                                                     "in X, Y, Z and S",
+                                                     option));
+      }
+    }
   }
   if (static_cast<int>(options.zenith) + static_cast<int>(options.picture || picture_by_output) +
           static_cast<int>(directions.has_value()) >
@@ -282,6 +295,7 @@ SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, c
                                      "--unit-irradiance");
   }
   SkyRequest request;
+  request.model = model;
   request.illuminance = options.illuminance;
   request.budget = path_budget(budget, scene);
   request.medium_name = scene.medium_name;

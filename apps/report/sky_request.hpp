@@ -28,7 +28,7 @@ void add_budget_options(CLI::App& app, BudgetOptions& options);
 
 /// The options of `sky` as they were given.
 struct SkyOptions {
-  bool reference = false;
+  bool reference = false; ///< as --sky reference
   bool zenith = false;
   bool picture = false;
   std::string directions;
@@ -56,15 +56,16 @@ struct SkyQuantity {
 };
 
 struct SkyRequest {
+  SkyModel model = SkyModel::tables;
   std::string medium_name;
   std::shared_ptr<const Medium> medium;
-  std::vector<double> wavelengths_nm; ///< of the transport
+  std::vector<double> wavelengths_nm; ///< of the reference's transport
   Length height;                      ///< above the medium's ground
   std::vector<WeightedLight> lights;  ///< the Sun first, if it is one of them
   std::vector<SkyQuantity> quantities;
   std::vector<SkyPoint> points;
   std::optional<View> picture; ///< whose pixels the points are
-  PathBudget budget;           ///< without a stream
+  PathBudget budget;           ///< of the reference, without a stream
   bool illuminance = false;    ///< of a level surface too
   bool timings = false;
 };

@@ -1,43 +1,31 @@
 // Scattered light in the air under a distant light, solved once for all places: what light is scattered anew from.
 #pragma once
 
-#include "vesper/atmosphere/column_table.hpp"
+#include "vesper/atmosphere/light_field_solution.hpp"
 #include "vesper/atmosphere/sky_query.hpp"
-#include "vesper/atmosphere/spectral_air.hpp"
-#include "vesper/base/vector.hpp"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace vesper {
 
-/// How finely a light field is solved.
-struct LightFieldSize {
-  std::size_t heights = 24;
-  std::size_t zeniths = 20;  ///< directions above and below the horizon together
-  std::size_t azimuths = 8;  ///< over half a turn
-  double step_growth = 0.15; ///< a step's rise over its height
-  double least_step_km = 0.3;
-  int orders = 10;
-};
-
 /// Light above an irradiance of 1, of all orders of scattering and reflection, by angular moments.
 ///
-/// What molecules scatter needs no more of the radiance around a place than its mean and second moments: with them
-/// Rayleigh's phase function is exact. What aerosol scatters is kept by direction. Both are held as logarithms by
-/// height and by the light's zenith angle, between which light that falls exponentially is linear. The field is
-/// iterated by orders; the first, the light's own, is scattered exactly where it meets the observer. How near that
-/// comes to the reference transport stands in docs/ACCURACY.md, light field.
+/// What molecules scatter needs no more of the radiance around a place than its mean and second moments; what aerosol
+/// scatters is kept by direction (shaders/lib/light_field.glsl). The field is iterated by orders; the first, the
+/// light's own, is scattered exactly where it meets the observer. How near that comes to the reference transport stands
+/// in docs/ACCURACY.md, light field.
 class LightField {
 public:
-  static constexpr std::size_t most_wavelengths = 64;
+  static constexpr std::size_t most_wavelengths = LightFieldModel::most_wavelengths;
 
   /// Solves the field, in seconds. `air` and `optics` are of one medium and outlive this object.
   /// \param threads 0 for one per core; the result does not depend on it
-  /// Throws Error(argument) for more wavelengths than that.
+  /// Throws Error(argument) for more wavelengths than that and for a size out of its range.
   LightField(const SampledAir& air, const SpectralAir& optics, const LightFieldSize& size = {}, unsigned threads = 0);
+  /// Takes a solution of the model's.
+  LightField(LightFieldModel model, LightFieldSolution solution);
 
   /// Radiance of all orders toward an observer, 1/sr, at the optics' wavelengths; where the horizon cuts the light it
   /// is a disc of the query's radius. Throws Error(argument) for a query out of its range (sky_query.hpp).
@@ -47,7 +35,10 @@ public:
   [[nodiscard]] std::vector<double> diffuse_irradiance(double cos_light_zenith) const;
 
   /// A ray toward an observer, with what does not depend on where the light stands.
-  class ViewRay;
+  struct ViewRay {
+    LightRay direct; ///< in fine steps, for the light's own
+    LightRay later;  ///< for what was scattered before, which is smoother
+  };
   /// \param radius_km of the observer from the planet's centre, any not below the ground
   [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith) const;
 
@@ -62,81 +53,13 @@ public:
   [[nodiscard]] RayLight light(const ViewRay& ray, double cos_light_zenith, double cos_azimuth,
                                Angle light_angular_radius) const;
 
+  /// How many orders were followed, and by which share of the light at any node the estimate of the later may be wrong.
+  [[nodiscard]] int orders() const { return solution_.orders; }
+  [[nodiscard]] double rest() const { return solution_.rest; }
+
 private:
-  // The moments of a place, over axes z to the zenith and x to the light's azimuth: the logarithm to base 2 of the mean
-  // radiance over the sphere, and the means of products of direction cosines, weighted by radiance.
-  enum Moment : std::size_t { mean_log2, xx, zz, xz, moments };
-
-  // Directions of aerosol's sources: nodes in a coordinate that crowds at the horizon, and evenly in azimuth. J is the
-  // mean radiance, weighted by the phase functions of what scatters at the node's height.
-  static constexpr std::size_t nodes_below = 5;
-  static constexpr std::size_t nodes_above = 9;
-  static constexpr std::size_t zenith_nodes = nodes_below + nodes_above + 1;
-  static constexpr std::size_t azimuth_nodes = 7;
-  static constexpr std::size_t source_directions = zenith_nodes * azimuth_nodes;
-
-  struct Place {
-    std::size_t height;
-    double height_fraction;
-  };
-  struct Step {
-    double radius_km;
-    Place place;
-    double view_z;       ///< cosine of the view direction's zenith angle there
-    double zenith_place; ///< of the view direction among the nodes of aerosol's sources
-    // cos of the light's zenith angle there = from_vertical * cos(that at the origin)
-    //                                       + from_level * sin(the same) * cos(azimuth from the light)
-    double from_vertical;
-    double from_level;
-  };
-
-  struct Corner {
-    std::size_t node; ///< of the lower height and angle
-    float height_fraction;
-    float angle_fraction;
-  };
-
-  [[nodiscard]] Place place(double height_km) const;
-  [[nodiscard]] Corner corner(const Place& place, double cos_light_zenith) const;
-  [[nodiscard]] double node_height_km(std::size_t i) const;
-  [[nodiscard]] ViewRay view_ray(double radius_km, double cos_zenith, double growth, double least_km) const;
-  [[nodiscard]] double visible_light(double radius_km, double cos_light_zenith, double light_radius_rad) const;
-  void add_direct(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                  double light_radius_rad, float* by_molecules, float* by_aerosol, float* by_ground) const;
-  void add_scattered(const ViewRay& ray, double cos_light_zenith, double sin_light_zenith, double cos_azimuth,
-                     float* by_air, float* by_ground) const;
-  [[nodiscard]] double dip(double radius_km) const;
-  [[nodiscard]] static double zenith_place(double altitude_rad, double dip_rad);
-  [[nodiscard]] static double node_altitude(std::size_t zenith_node, double dip_rad);
-  [[nodiscard]] std::vector<float> phase_matrix(std::size_t height, const std::vector<Vec2>& directions,
-                                                std::size_t azimuths) const;
-  void solve(const LightFieldSize& size, unsigned threads);
-
-  const SampledAir& air_;
-  const SpectralAir& optics_;
-  ColumnTable columns_;
-  std::size_t lanes_;                ///< wavelengths, rounded up to a multiple of 4
-  std::vector<bool> molecular_;      ///< by component: its phase function is Rayleigh's
-  std::vector<float> second_moment_; ///< Legendre's of molecules, by wavelength
-  std::size_t heights_;
-  std::vector<double> angle_cos_; ///< of the nodes, falling
-  std::vector<std::uint16_t> angle_lookup_;
-  std::vector<float> aerosol_; ///< logarithm to base 2 of J below, by height, angle, direction, wavelength
-  std::vector<float> field_;   ///< by height, angle, moment, wavelength
-  std::vector<float> ground_;  ///< logarithm to base 2 of the ground's diffuse irradiance, by angle and wavelength
-};
-
-/// What sources along a ray send to its origin.
-class LightField::ViewRay {
-  friend LightField;
-  double cos_zenith = 1.0;
-  double sin_zenith = 0.0;
-  std::vector<Step> steps;
-  /// A step: molecules' and aerosol's scattering, then that of each component; lanes each.
-  std::vector<float> weights;
-  bool meets_ground = false;
-  Step ground{};
-  std::vector<float> ground_weights; ///< transmittance times albedo over pi
+  LightFieldModel model_;
+  LightFieldSolution solution_;
 };
 
 } // namespace vesper

@@ -89,9 +89,10 @@ public:
 
   /// Densities along a level ray change over the square root of radius times scale height, 90 km and more.
   static constexpr double longest_cell_km = 25.0;
+  /// Between the heights of the grid.
+  static constexpr double step_km = 0.01;
 
 private:
-  static constexpr double step_km = 0.01;
   void split(std::size_t first, std::size_t last, const std::vector<std::size_t>& breaks,
              const PerComponent& tolerance_km);
 

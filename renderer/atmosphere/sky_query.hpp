@@ -6,6 +6,9 @@
 
 namespace vesper {
 
+/// Of the Sun on the average, and of the Moon nearly: what is solved for all places of a light is solved for this disc.
+inline constexpr Angle mean_light_radius = 0.2666 * deg;
+
 /// Directions are unit vectors in a frame at the observer's place whose z axis points to the zenith; rays are straight.
 struct SkyQuery {
   Length height;              ///< of the observer above the ground, >= 0; any, also outside the air

@@ -1,6 +1,7 @@
 // The sky of a medium, solved for sunlight and kept in tables that the GPU reads: how bright it looks from anywhere.
 #pragma once
 
+#include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/atmosphere/sky_query.hpp"
 #include "vesper/base/shader_math.hpp"
@@ -13,10 +14,11 @@ namespace vesper {
 
 /// Nodes of the tables; what they cost and how good they are stands in docs/SKY_TABLES.md.
 struct SkyTableSize {
-  int heights = 24;
-  int views_below = 24; ///< rays that meet the ground
-  int views_above = 40;
-  int lights = 48; ///< altitudes of the light, 90 to -36 degrees
+  int heights = 16;
+  int views_below = 16; ///< rays that meet the ground
+  int views_above = 32;
+  int lights = 64;        ///< altitudes of the light, 90 to -36 degrees
+  LightFieldSize field{}; ///< how finely the light is solved that fills them
 };
 
 /// Light above 1 lux of sunlight (solar_irradiance_1au) outside the air, in X, Y, Z and S: cd/m2, or lux. Texels lie as
@@ -28,9 +30,9 @@ struct SkyTables {
   std::vector<f32::vec4> ground;  ///< diffuse illuminance of level ground, by altitude of the light
   std::vector<f32::vec4> phase;   ///< of the aerosol, by angle
   f32::SkyTransmittanceFrame transmittance_frame{};
-  std::vector<f32::vec4> transmittance;
-  f32::vec4 light{};  ///< X, Y, Z, S of 1 lux of sunlight
-  f32::vec4 albedo{}; ///< of the ground, in sunlight
+  std::vector<f32::vec4> transmittance; ///< twice the frame's heights: toward space, then from the ground
+  f32::vec4 light{};                    ///< X, Y, Z, S of 1 lux of sunlight
+  f32::vec4 albedo{};                   ///< of the ground, in sunlight
 };
 
 /// The samplers of the tables, for the functions of sky_table.glsl. The tables outlive them.
@@ -38,14 +40,15 @@ struct SkyTables {
 [[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
 [[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
 
-/// Told from one thread at a time what share of the work is done, 0 to 1.
+/// Told from one thread at a time what share of the work is done, 0 to 1. What it throws ends the work.
 using Progress = std::function<void(double share)>;
 
 /// Solves the transport of light and fills the tables, in seconds.
 /// \param threads 0 for one per core; the result does not depend on it
+/// \param solver of the light field, such as gpu::GpuLightGatherer; none for the processor
 /// Throws Error(argument) for a medium or a size out of its range.
 [[nodiscard]] SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size = {}, unsigned threads = 0,
-                                        const Progress& progress = {});
+                                        const Progress& progress = {}, const LightFieldSolver& solver = {});
 
 /// Luminance toward an observer anywhere above 1 lux of sunlight from the query's direction, the ground's included
 /// where the view meets it. Throws Error(argument) for a query out of its range.

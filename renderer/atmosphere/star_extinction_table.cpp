@@ -48,11 +48,11 @@ double b_v_of(double wanted) {
   return 0.5 * (low + high);
 }
 
-using Sums = std::array<std::array<double, colors>, responses>;
+using ResponseSums = std::array<std::array<double, colors>, responses>;
 
 /// The responses to the light of all colours through a filter.
-Sums sums_behind(const std::array<double, wavelengths>& share, const Colors& table) {
-  Sums sums{};
+ResponseSums sums_behind(const std::array<double, wavelengths>& share, const Colors& table) {
+  ResponseSums sums{};
   for (std::size_t r = 0; r < responses; ++r) {
     std::array<double, colors>& sum = sums.at(r);
     for (std::size_t i = 0; i < wavelengths; ++i) {
@@ -149,7 +149,7 @@ StarExtinction make_star_extinction(const Medium& medium, Length height,
     for (double& value : share) {
       value = std::exp(value);
     }
-    const Sums sums = sums_behind(share, stars);
+    const ResponseSums sums = sums_behind(share, stars);
     for (std::size_t c = 0; c < colors; ++c) {
       Vec4 logarithm{};
       for (std::size_t r = 0; r < responses; ++r) {

@@ -3,9 +3,12 @@
 // The GLSL side of the contract is shaders/prelude.glsl; the rules for lib files stand there.
 #pragma once
 
+#include "vesper/base/lanes.hpp"
+
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <type_traits>
 
 #define CONSTANT inline constexpr
 #define FN inline

@@ -7,6 +7,8 @@ using ivec3 = glm::ivec3;
 using mat3 = glm::mat<3, 3, Real>;
 using mat4 = glm::mat<4, 4, Real>;
 using uint = unsigned int;
+/// Light at four wavelengths.
+using Light = std::conditional_t<std::is_same_v<Real, float>, Lanes, vec4>;
 using PReal = Real;
 using PVec2 = vec2;
 using PVec3 = vec3;
@@ -77,3 +79,15 @@ inline vec4 texelFetch(sampler3D texture, ivec3 texel, int /*level*/) { // NOLIN
   const auto row = static_cast<std::ptrdiff_t>(texel.z) * texture.height + texel.y;
   return inside ? texture.texels[row * texture.width + texel.x] : vec4(Real(0));
 }
+
+/// Lights in memory, `stride` apart: tables of more wavelengths than four hold a place's together.
+struct LightTable {
+  const Light* lights = nullptr;
+  std::ptrdiff_t stride = 1;
+};
+inline Light fetch_light(LightTable table, int i) { return table.lights[i * table.stride]; }
+
+struct RealTable {
+  const Real* numbers = nullptr;
+};
+inline Real fetch_real(RealTable table, int i) { return table.numbers[i]; }

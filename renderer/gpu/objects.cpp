@@ -69,6 +69,15 @@ Texture make_table_texture(int width, std::span<const float> rgba) {
   return texture;
 }
 
+Texture make_buffer_texture(const Buffer& buffer, int channels) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+  Texture texture(name);
+  glTextureBuffer(name, channels == 1 ? GL_R32F : GL_RGBA32F, buffer.name());
+  require_no_error("creating a buffer texture");
+  return texture;
+}
+
 Texture make_volume_texture(int width, int height, int depth) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_3D, 1, &name);

@@ -65,6 +65,8 @@ enum class PixelFormat { rgba32f, rgba8 };
 [[nodiscard]] Texture make_row_texture(std::span<const float> rgba);
 /// Rows of as many such texels each.
 [[nodiscard]] Texture make_table_texture(int width, std::span<const float> rgba);
+/// A buffer's contents as texels of 1 or 4 32-bit floats.
+[[nodiscard]] Texture make_buffer_texture(const Buffer& buffer, int channels);
 /// A volume of such texels without contents.
 [[nodiscard]] Texture make_volume_texture(int width, int height, int depth);
 /// Has texture() interpolate linearly, up to the texels of the edges.

@@ -3,48 +3,79 @@
 #include "vesper/base/error.hpp"
 #include "vesper/light/response_functions.hpp"
 
+#include <array>
 #include <cmath>
-#include <vector>
+#include <cstddef>
+#include <memory>
+#include <numeric>
 
 namespace vesper {
 namespace {
 
-/// The responses to 1 lux of a light behind a filter (wavelength / 550 nm)^power.
-Vec4 behind_filter(const Spectrum& light, double lux, double power) {
-  std::vector<double> grid;
-  std::vector<double> values;
-  for (int nm = response_first_nm; nm <= response_last_nm; ++nm) {
-    grid.push_back(nm);
-    values.push_back(light(nm) * std::pow(nm / 550.0, power));
+constexpr int lowest_power = -8;
+constexpr std::size_t filters = 11;
+constexpr std::size_t grid_size = response_last_nm - response_first_nm + 1;
+
+/// By filter (wavelength / 550 nm)^power, whose powers are even, and nanometre: the responses to light behind it.
+using FilteredResponses = std::array<std::array<Vec4, grid_size>, filters>;
+
+const FilteredResponses& filtered_responses() {
+  static const auto made = [] {
+    auto responses = std::make_unique<FilteredResponses>();
+    for (std::size_t i = 0; i < grid_size; ++i) {
+      const double nm = response_first_nm + static_cast<double>(i);
+      const double end = i == 0 || i + 1 == grid_size ? 0.5 : 1.0; // of the trapezoidal rule
+      const Vec4 response = end * Vec4(photopic_efficacy_lm_w * Vec3(cie_x_bar()(nm), cie_y_bar()(nm), cie_z_bar()(nm)),
+                                       scotopic_efficacy_lm_w * cie_scotopic()(nm));
+      for (std::size_t f = 0; f < filters; ++f) {
+        (*responses)[f][i] = std::pow(nm / 550.0, lowest_power + 2.0 * static_cast<double>(f)) * response;
+      }
+    }
+    return responses;
+  }();
+  return *made;
+}
+
+/// The responses to 1 lux of a light behind each filter.
+std::array<Vec4, filters> behind_filters(const Spectrum& light, double lux) {
+  std::array<double, grid_size> values{};
+  for (std::size_t i = 0; i < grid_size; ++i) {
+    values[i] = light(response_first_nm + static_cast<double>(i)) / lux;
   }
-  const Xyzs sum = integrate_xyzs({grid, values});
-  return Vec4(sum.x, sum.y, sum.z, sum.s) / lux;
+  std::array<Vec4, filters> sums{};
+  for (std::size_t f = 0; f < filters; ++f) {
+    sums[f] = std::inner_product(values.begin(), values.end(), filtered_responses()[f].begin(), Vec4(0.0));
+  }
+  return sums;
 }
 
 double lux_of(const Spectrum& light) {
-  const double lux = integrate_xyzs(light).y;
-  if (!(lux > 0.0)) {
-    throw Error(ErrorKind::argument, "a light without any luminance", {"", "", "Give a spectrum that the eye sees"});
+  const Xyzs sum = integrate_xyzs(light);
+  if (!(sum.x > 0.0 && sum.y > 0.0 && sum.z > 0.0 && sum.s > 0.0)) {
+    throw Error(ErrorKind::argument, "a light without any of X, Y, Z or S",
+                {"", "", "Give a spectrum that is seen by day and by night"});
   }
-  return lux;
+  return sum.y;
 }
 
 } // namespace
 
 Mat4 response_matrix(const Spectrum& from, const Spectrum& to) {
-  const double from_lux = lux_of(from);
-  const double to_lux = lux_of(to);
-  // Normal equations, each filter weighted so that all are equally bright.
-  Mat4 squares(0.0);
-  Mat4 products(0.0);
-  for (int power = -8; power <= 12; power += 2) {
-    const Vec4 source = behind_filter(from, from_lux, power);
-    const Vec4 target = behind_filter(to, to_lux, power);
-    const double weight = 1.0 / (source.y * source.y);
-    squares += weight * glm::outerProduct(source, source);
-    products += weight * glm::outerProduct(target, source);
+  const auto sources = behind_filters(from, lux_of(from));
+  const auto targets = behind_filters(to, lux_of(to));
+  Mat4 rows(0.0);
+  for (int response = 0; response < 4; ++response) {
+    // Normal equations of errors in relation to what is right.
+    Mat4 squares(0.0);
+    Vec4 products(0.0);
+    for (std::size_t f = 0; f < filters; ++f) {
+      const Vec4 source = sources[f] / targets[f][response];
+      squares += glm::outerProduct(source, source);
+      products += source;
+    }
+    rows[response] = glm::inverse(squares) * products;
   }
-  return products * glm::inverse(squares);
+  return glm::transpose(rows);
 }
 
 } // namespace vesper

@@ -5,6 +5,7 @@
 #include "vesper/light/moonlight.hpp"
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/sunlight.hpp"
+#include "vesper/sky/eclipse_light.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,12 @@ std::vector<SkyLight> lights_of(const SkyState& sky) {
   std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
                                moon_light(moon.direction_horizon, moon.distance,
                                           glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  if (sky.solar_eclipse.magnitude > 0.0) {
+    lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
+  }
+  if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
+    lights[1].irradiance = filtered(lights[1].irradiance, sunlight_on_moon(sky.lunar_eclipse));
+  }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;

@@ -25,7 +25,7 @@ struct SkyLight {
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
 /// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
 /// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.
-/// Eclipses do not dim them.
+/// Eclipses dim them (eclipse_light.hpp).
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.

@@ -102,6 +102,7 @@ FN Real sky_share_taken(Real x) { return x < Real(1.0e-2) ? x * (Real(1.0) - x *
 FN Real sky_path_share(Real height_km, Real altitude_rad, bool meets_ground, SkyTableFrame frame) {
   Real scale_km = Real(8.0);
   Real per_km = Real(0.025);
+  Real most_scales = Real(40.0); // for a share above zero however high the air reaches
   Real h = max(height_km, Real(0.0));
   Real r = frame.ground_km + h;
   Real s = sin(altitude_rad);
@@ -113,12 +114,12 @@ FN Real sky_path_share(Real height_km, Real altitude_rad, bool meets_ground, Sky
   } else {
     // Chapman's function, as sqrt(pi x / 2) / ((sqrt(pi x / 2) - 1) s + 1).
     Real level = sqrt(Real(0.5) * sky_half_turn * r / scale_km);
-    Real upward = exp(-h / scale_km) * level / ((level - Real(1.0)) * abs(s) + Real(1.0));
+    Real upward = exp(-min(h / scale_km, most_scales)) * level / ((level - Real(1.0)) * abs(s) + Real(1.0));
     if (s >= Real(0.0)) {
       column = scale_km * upward;
     } else {
       Real tangent_km = max(r * cos(altitude_rad) - frame.ground_km, Real(0.0));
-      Real tangent = exp(-tangent_km / scale_km) * sqrt(Real(0.5) * sky_half_turn * (frame.ground_km + tangent_km) / scale_km);
+      Real tangent = exp(-min(tangent_km / scale_km, most_scales)) * sqrt(Real(0.5) * sky_half_turn * (frame.ground_km + tangent_km) / scale_km);
       column = scale_km * max(Real(2.0) * tangent - upward, upward);
     }
   }
@@ -272,7 +273,8 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
 }
 
 // Share of a light that is left after the air toward space, as a logarithm to base 2 of X, Y, Z and S, for a view that
-// is free of the ground. x: altitude over the horizon, crowded there; y: height.
+// is free of the ground. x: altitude over the horizon, crowded there; y: height. As many rows follow for views of the
+// ground (sky_ground_view_log2).
 struct SkyTransmittanceFrame {
   int altitudes;
   int heights;
@@ -332,18 +334,36 @@ FN Real sky_aerosol_phase(sampler1D table, Real cos_angle, int count) {
   return exp2(sum);
 }
 
+// Way from an observer to the ground, km, for a view that meets it.
+FN Real sky_ground_distance_km(Real height_km, Real altitude_rad, SkyTableFrame frame) {
+  Real above = height_km * (Real(2.0) * frame.ground_km + height_km);
+  Real rise = (frame.ground_km + height_km) * sin(altitude_rad);
+  return above / max(sqrt(max(rise * rise - above, Real(0.0))) - rise, Real(1.0e-3));
+}
+
+FN Real sky_ground_view_node_rad(int i, Real dip_rad, SkyTransmittanceFrame nodes) {
+  Real place = Real(i) / Real(nodes.altitudes - 1);
+  return (dip_rad - Real(0.5) * sky_half_turn) * place * place - dip_rad;
+}
+
 // Share of a light that passes from a point of the ground to an observer, as a logarithm to base 2; the altitude is
-// that of the point as the observer sees it, below the horizon.
+// that of the point as the observer sees it, below the horizon. The rows behind those of the transmittance toward space
+// hold it over the way, in km: the quotient of two shares would not do, since what has lost its blue loses less.
 FN vec4 sky_ground_view_log2(sampler2D transmittance, Real height_km, Real altitude_rad, SkyTransmittanceFrame nodes,
                              SkyTableFrame frame) {
-  Real h = max(height_km, Real(0.0));
-  Real rise = (frame.ground_km + h) * sin(altitude_rad);
-  Real root = sqrt(max(rise * rise - h * (Real(2.0) * frame.ground_km + h), Real(0.0)));
-  Real from_ground_rad = atan(root, (frame.ground_km + h) * cos(altitude_rad));
-  // The same ray upwards: all of the air along it, less what lies behind the observer.
-  vec4 all = sky_transmittance_log2(transmittance, Real(0.0), from_ground_rad, nodes, frame);
-  vec4 behind = sky_transmittance_log2(transmittance, h, -altitude_rad, nodes, frame);
-  return min(all - behind, vec4(Real(0.0)));
+  Real h = clamp(height_km, Real(0.0), frame.top_km - frame.ground_km);
+  Real dip = sky_dip(h, frame);
+  Real under = clamp(-(altitude_rad + dip) / (Real(0.5) * sky_half_turn - dip), Real(0.0), Real(1.0));
+  SkyNodes columns = sky_nodes(sqrt(under) * Real(nodes.altitudes - 1), nodes.altitudes);
+  SkyNodes rows = sky_nodes(sqrt(h / (frame.top_km - frame.ground_km)) * Real(nodes.heights - 1), nodes.heights);
+  vec4 sum = vec4(Real(0.0));
+  for (int r = 0; r < 4; ++r) {
+    for (int c = 0; c < 4; ++c) {
+      ivec2 texel = ivec2(sky_node(columns, c, nodes.altitudes), nodes.heights + sky_node(rows, r, nodes.heights));
+      sum += rows.weights[r] * columns.weights[c] * texelFetch(transmittance, texel, 0);
+    }
+  }
+  return min(sum * sky_ground_distance_km(h, altitude_rad, frame), vec4(Real(0.0)));
 }
 
 // Illuminance of level ground at sea level above 1 lux of sunlight: direct and diffuse.
@@ -355,7 +375,7 @@ FN vec4 sky_ground_illuminance(sampler1D ground, sampler2D transmittance, vec4 l
   Real middle = max(light_altitude_rad, Real(0.5) * (light_altitude_rad + light_radius_rad));
   vec4 direct = vec4(Real(0.0));
   if (visible > Real(0.0)) {
-    direct = light * (visible * sin(middle)) *
+    direct = light * (visible * max(sin(middle), Real(0.0))) *
              exp2(sky_transmittance_log2(transmittance, Real(0.0), middle, nodes, frame));
   }
   return direct + exp2(sky_ground_log2(ground, light_altitude_rad, frame));

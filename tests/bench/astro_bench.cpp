@@ -146,5 +146,3 @@ BENCHMARK(sky_state_outside_the_table);
 
 } // namespace
 } // namespace vesper
-
-BENCHMARK_MAIN();

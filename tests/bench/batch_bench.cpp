@@ -44,5 +44,3 @@ BENCHMARK_CAPTURE(batch, outside_it, 1000.0, 1950.0)->MeasureProcessCPUTime()->U
 
 } // namespace
 } // namespace vesper
-
-BENCHMARK_MAIN();

@@ -86,4 +86,3 @@ void decode_default_stars(benchmark::State& state) {
 
 BENCHMARK(convert_catalogue)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(decode_default_stars)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK_MAIN();

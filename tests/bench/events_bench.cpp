@@ -32,4 +32,3 @@ BENCHMARK(events_of_sun_and_moon)
     ->Args({365, 2461041})
     ->Args({1, 2415020}) // 1900, by series
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_MAIN();

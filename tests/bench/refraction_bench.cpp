@@ -46,5 +46,3 @@ BENCHMARK(conditions_of_the_standard_atmosphere);
 
 } // namespace
 } // namespace vesper
-
-BENCHMARK_MAIN();

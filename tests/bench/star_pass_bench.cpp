@@ -92,5 +92,3 @@ BENCHMARK(table_of_star_extinction)->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace vesper
-
-BENCHMARK_MAIN();

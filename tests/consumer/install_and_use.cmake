@@ -28,3 +28,19 @@ message("The consumer said: ${said}")
 if(NOT said MATCHES "Sun: 61\\.9[56]")
   message(FATAL_ERROR "The consumer should have found the Sun at 61.96 degrees")
 endif()
+
+# The sky of the default medium comes with the programs: none has to make it, wherever they are carried.
+file(GLOB tables ${BUILD}/share/vesper/*.tables)
+if(tables AND EXISTS ${prefix}/bin/vesper-report)
+  execute_process(
+    COMMAND ${CMAKE_COMMAND} -E env XDG_CACHE_HOME=${WORK}/cache ${prefix}/bin/vesper-report --time 2026-06-21T12:00:00Z
+            --columns horizontal_illuminance_lux
+    OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  message("The installed program said: ${said}")
+  if(NOT said MATCHES "horizontal_illuminance_lux = 10[0-9][0-9][0-9][0-9]\\.")
+    message(FATAL_ERROR "At noon in June level ground at Greenwich should have some 103 klx")
+  endif()
+  if(EXISTS ${WORK}/cache)
+    message(FATAL_ERROR "The installed program made tables that it should have found")
+  endif()
+endif()

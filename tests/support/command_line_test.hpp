@@ -23,7 +23,8 @@ struct CommandResult {
   std::string out, err;
 };
 
-/// Runs one program of VESPER_BIN, each test in a folder of its own and without the user's settings.
+/// Runs one program of VESPER_BIN, each test in a folder of its own, without the user's settings and with a cache that
+/// all tests share.
 class CommandLineTest : public FolderTest {
 protected:
   /// \param command comes before all arguments
@@ -42,9 +43,10 @@ protected:
     // What it prints is kept outside of the folder, so that a test can look at all that was written there.
     const std::string out = folder().string() + ".out";
     const std::string err = folder().string() + ".err";
-    const std::string line = "cd '" + folder().string() + "' && export XDG_CONFIG_HOME=\"$PWD\" && (" + before +
-                             " && exec " + program_ + " " + command_ + " " + arguments + ") >'" + out + "' 2>'" + err +
-                             "'";
+    const std::string line = "cd '" + folder().string() +
+                             "' && export XDG_CONFIG_HOME=\"$PWD\" XDG_CACHE_HOME='" VESPER_BIN "/../cache' && (" +
+                             before + " && exec " + program_ + " " + command_ + " " + arguments + ") >'" + out +
+                             "' 2>'" + err + "'";
     const int status = std::system(line.c_str()); // NOLINT(cert-env33-c,concurrency-mt-unsafe)
     CommandResult result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};
     std::filesystem::remove(out);

@@ -207,7 +207,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "time-scale" ? "\"tt\""
              : option.name == "calendar"   ? "\"gregorian\""
              : option.name == "medium"     ? "\"published\""
-             : option.name == "sky"        ? "\"reference\""
+             : option.name == "sky"        ? "\"tables\""
                                            : "7") +
             "\n";
   }

@@ -139,7 +139,7 @@ TEST_F(SkyCli, BadOptionsExitWithTwoAndWriteNothing) {
            Case{"--most-paths -1", {"--most-paths: '-1'", "integer from 1"}},
            Case{"--orders 0", {"--orders: '0'", "1 to 1000000"}},
            Case{"--threads 5000", {"--threads: '5000'", "0 to 1024"}},
-           Case{"--sky tables", {"--sky: 'tables'", "reference"}},
+           Case{"--sky painted", {"--sky: 'painted'", "tables, reference"}},
            Case{"--sun-altitude 91", {"--sun-altitude: '91'", "-90 to 90 degrees"}},
            Case{"--sun-altitude 1 --sun-azimuth 400", {"--sun-azimuth: '400'", "-360 to 360"}},
            Case{"--sun-altitude 1 --sun-radius 2", {"--sun-radius: '2'", "0 to 1 degrees"}},
@@ -165,10 +165,64 @@ TEST_F(SkyCli, BadOptionsExitWithTwoAndWriteNothing) {
   expect_failure(1, "--directions where.csv -o no/such/folder/sky.csv", {"no/such/folder"});
 }
 
-TEST_F(LightColumns, TheSkyAsksForItsModel) { expect_failure(2, "sky --zenith", {"--reference"}); }
+TEST_F(LightColumns, TablesAnswerOnlyWhatTheyHold) {
+  for (const char* option : {"--wavelengths 550", "--unit-irradiance", "--orders 2"}) {
+    const std::string name = std::string(option).substr(0, std::string(option).find(' '));
+    expect_failure(2, std::string("sky --sun-altitude 10 ") + option, {name, "--reference"});
+  }
+}
+
+TEST_F(LightColumns, OfTablesAndReferenceAgree) {
+  const std::string scene = " --latitude 51.4769 --longitude 0 --height 47 --time 2026-06-21T12:00:00Z ";
+  const auto value = [&](const std::string& arguments) {
+    const CommandResult result = run(arguments);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return json::parse(result.out);
+  };
+  const json tables = value("--json --columns light" + scene);
+  const json reference = value("--json --sky reference --relative-error 0.01 --columns "
+                               "horizontal_illuminance_lux,zenith_luminance_cd_m2,sun_direct_illuminance_lux" +
+                               scene);
+  for (const char* name : {"horizontal_illuminance_lux", "zenith_luminance_cd_m2", "sun_direct_illuminance_lux"}) {
+    const double wanted = reference.at(name).get<double>();
+    EXPECT_NEAR(tables.at(name).get<double>(), wanted, 0.05 * wanted) << name;
+  }
+  double lux = 0.0;
+  double luminance = 0.0;
+  for (const std::string source : {"sun", "moon"}) {
+    lux += tables.at(source + "_direct_illuminance_lux").get<double>() +
+           tables.at(source + "_diffuse_illuminance_lux").get<double>();
+    luminance += tables.at(source + "_zenith_luminance_cd_m2").get<double>();
+  }
+  EXPECT_NEAR(lux, tables.at("horizontal_illuminance_lux").get<double>(), 1.0e-9 * lux);
+  EXPECT_NEAR(luminance, tables.at("zenith_luminance_cd_m2").get<double>(), 1.0e-9 * luminance);
+
+  // The same zenith, looked at.
+  const json looked = value("sky --json --illuminance" + scene).at("directions").at(0);
+  EXPECT_NEAR(looked.at("luminance_cd_m2").get<double>(), luminance, 1.0e-9 * luminance);
+  EXPECT_NEAR(looked.at("horizontal_illuminance_lux").get<double>(), lux, 1.0e-9 * lux);
+  EXPECT_FALSE(looked.contains("paths"));
+  EXPECT_FALSE(looked.contains("luminance_error_cd_m2"));
+}
+
+TEST_F(LightColumns, APictureByTablesHoldsWhatTheTableTells) {
+  const std::string scene = "sky --sun-altitude 3 --size 16x16 --projection perspective --altitude 20 ";
+  ASSERT_EQ(run(scene + "-o sky.exr").status, 0);
+  const FloatImage picture = read_image(path("sky.exr"));
+  const CsvTable table = table_of(run(scene + "--picture"));
+  ASSERT_EQ(table.row_count(), 256U);
+  for (std::size_t i = 0; i < table.row_count(); i += 17) {
+    const auto place = static_cast<std::size_t>(table.number(i, table.column("pixel_y")) * 16.0 +
+                                                table.number(i, table.column("pixel_x")));
+    const double luminance = table.number(i, table.column("luminance_cd_m2"));
+    EXPECT_GT(luminance, 0.0);
+    EXPECT_NEAR(static_cast<double>(picture.values.at(4 * place + 1)), luminance, 1.0e-6 * luminance);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("sky.exr.partial")));
+}
 
 TEST_F(LightColumns, AreInTheRangeOfMeasuredLight) {
-  const std::string place = " --latitude 51.4769 --longitude 0 --height 47 --relative-error 0.05 ";
+  const std::string place = " --latitude 51.4769 --longitude 0 --height 47 --relative-error 0.05 --sky reference ";
   const std::string names = "sun_altitude_deg,moon_altitude_deg,horizontal_illuminance_lux,zenith_luminance_cd_m2";
   const CommandResult noon = run("--json --time 2026-06-21T12:00:00Z --columns " + names + place);
   ASSERT_EQ(noon.status, 0) << noon.err;
@@ -200,9 +254,13 @@ TEST_F(LightColumns, AreInTheRangeOfMeasuredLight) {
   EXPECT_EQ(rows.number(2, luminance), 0.0);
 }
 
-TEST_F(LightColumns, AreNotAmongTheDefault) {
-  const CommandResult usual = run("--json --time 2026-06-21T12:00:00Z");
-  EXPECT_EQ(usual.out.find("horizontal_illuminance_lux"), std::string::npos);
+TEST_F(LightColumns, AreInASceneButNotInABatchUnlessAskedFor) {
+  const CommandResult scene = run("--json --time 2026-06-21T12:00:00Z");
+  EXPECT_TRUE(json::parse(scene.out).contains("horizontal_illuminance_lux"));
+  write("in.csv", "utc\n2026-06-21T12:00:00Z\n");
+  const CommandResult batch = run("--batch in.csv --latitude 50 --longitude 0 --height 0");
+  EXPECT_EQ(batch.status, 0);
+  EXPECT_EQ(batch.out.find("horizontal_illuminance_lux"), std::string::npos);
   expect_failure(2, "--columns horizontal_illuminance", {"horizontal_illuminance_lux", "zenith_luminance_cd_m2"});
 }
 

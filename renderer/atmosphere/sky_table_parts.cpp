@@ -1,0 +1,112 @@
+#include "vesper/atmosphere/sky_table_parts.hpp"
+
+#include "vesper/base/worker_pool.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace vesper {
+
+std::vector<f32::vec4> aerosol_phase_table(const SampledAir& air, const SpectralAir& optics) {
+  const std::vector<double>& wavelengths = optics.wavelengths_nm();
+  const auto green = static_cast<std::size_t>(
+      std::min_element(wavelengths.begin(), wavelengths.end(),
+                       [](double a, double b) { return std::abs(a - 550.0) < std::abs(b - 550.0); }) -
+      wavelengths.begin());
+  const SampledAir::PerComponent columns =
+      air.columns_to_space(air.ray(air.ground_km(), 1.0), [](const auto&) { return false; });
+  std::vector<f32::vec4> table;
+  for (int i = 0; i < sky_phase_nodes; ++i) {
+    const double place = static_cast<double>(i) / (sky_phase_nodes - 1);
+    double sum = 0.0;
+    double all = 0.0;
+    for (std::size_t c = 0; c < air.component_count(); ++c) {
+      if (optics.phase_kind(c) != PhaseKind::rayleigh) {
+        const double scattering = columns[c] * optics.scattering_per_km(c, green);
+        sum += scattering * optics.phase(c, green, std::cos(std::numbers::pi * place * place));
+        all += scattering;
+      }
+    }
+    // Without aerosol any will do.
+    const double phase = all > 0.0 ? sum / all : 0.25 / std::numbers::pi;
+    table.emplace_back(static_cast<float>(std::log2(phase)), 0.0F, 0.0F, 0.0F);
+  }
+  return table;
+}
+
+std::vector<f32::vec4> transmittance_table(const SampledAir& air,
+                                           const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
+                                           unsigned threads) {
+  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
+  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
+  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
+  const double ground_km = air.ground_km();
+  std::vector<f32::vec4> table(columns * rows);
+  parallel_for(
+      rows, 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin * columns; k < end * columns; ++k) {
+          const std::size_t row = k / columns;
+          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
+          const double height_km = (air.top_km() - ground_km) * share * share;
+          const double dip = std::acos(ground_km / (ground_km + height_km));
+          const auto altitude = static_cast<double>(
+              f32::sky_transmittance_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
+          // The horizon itself counts as free of the ground.
+          constexpr double aside_rad = 2.0e-5;
+          AirRay ray = air.ray(ground_km + height_km, std::sin(altitude));
+          if (ray.meets_ground) {
+            ray = air.ray(ground_km + height_km, std::sin(altitude + aside_rad));
+          }
+          table[k] = texel(air.columns_to_space(ray, [](const auto&) { return false; }));
+        }
+      },
+      threads);
+  return table;
+}
+
+std::vector<f32::vec4> ground_view_table(const SampledAir& air,
+                                         const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
+                                         unsigned threads) {
+  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
+  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
+  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
+  const double ground_km = air.ground_km();
+  std::vector<f32::vec4> table(columns * rows);
+  parallel_for(
+      rows, 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin * columns; k < end * columns; ++k) {
+          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
+          // At the ground itself the way has no length.
+          constexpr double least_km = 1.0e-3;
+          const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);
+          const double dip = std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
+          const auto altitude = static_cast<double>(
+              f32::sky_ground_view_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
+          // The horizon itself counts as ground.
+          constexpr double aside_rad = 2.0e-6;
+          const AirRay ray = air.ray(ground_km + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
+          SampledAir::PerComponent sum{};
+          air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
+            air.add_columns(ray, from, to, sum);
+            return true;
+          });
+          table[k] = texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
+        }
+      },
+      threads);
+  return table;
+}
+
+f32::vec4 log2_of(const f32::vec4& light, float least_log2) {
+  f32::vec4 result;
+  for (int i = 0; i < 4; ++i) {
+    result[i] = light[i] > 0.0F ? std::max(std::log2(light[i]), least_log2) : least_log2;
+  }
+  return result;
+}
+
+} // namespace vesper

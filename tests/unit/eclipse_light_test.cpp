@@ -1,0 +1,108 @@
+// What eclipses leave of the light of Sun and Moon.
+#include "vesper/light/response_functions.hpp"
+#include "vesper/sky/eclipse_light.hpp"
+#include "vesper/sky/sky_light.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vesper {
+namespace {
+
+TEST(EclipseLight, OfAUniformDiscIsTheAreaSeen) {
+  for (const double other : {0.2, 0.95, 1.0, 1.04, 3.7}) {
+    for (double separation = 0.0; separation < 5.0; separation += 0.037) {
+      EXPECT_NEAR(sunlight_seen(1.0, other, separation, 0.0), 1.0 - f64::disc_covered(1.0, other, separation), 2.0e-6)
+          << other << " at " << separation;
+    }
+  }
+}
+
+TEST(EclipseLight, IsThatOfTheRingOfAnAnnularEclipse) {
+  // Of a darkened disc the part outside a central circle of radius r has (1 - r^2)^(1 + a/2) of the light.
+  for (const double r : {0.3, 0.9, 0.97}) {
+    for (const double a : {0.0, 0.5, 1.0}) {
+      EXPECT_NEAR(sunlight_seen(1.0, r, 0.0, a), std::pow(1.0 - r * r, 1.0 + 0.5 * a), 1.0e-6);
+    }
+  }
+}
+
+TEST(EclipseLight, ASmallDiscHidesThePlaceItStandsBefore) {
+  // (1 + a/2) mu^a of the mean brightness at distance sqrt(1 - mu^2) from the centre.
+  constexpr double small = 1.0e-2;
+  for (const double a : {0.4, 0.65}) {
+    for (const double place : {0.0, 0.3, 0.6, 0.9}) {
+      const double hidden = (1.0 + 0.5 * a) * std::pow(1.0 - place * place, 0.5 * a) * small * small;
+      EXPECT_NEAR(1.0 - sunlight_seen(1.0, small, place, a), hidden, 1.0e-3 * hidden) << a << " at " << place;
+    }
+  }
+}
+
+TEST(EclipseLight, IsContinuousThroughContactsAndNeverRises) {
+  for (const double other : {0.94, 1.0, 1.05, 3.7}) {
+    double before = sunlight_seen(1.0, other, 0.0, 0.503);
+    constexpr double step = 1.0e-3;
+    for (double separation = step; separation < 1.1 + other; separation += step) {
+      const double now = sunlight_seen(1.0, other, separation, 0.503);
+      EXPECT_GE(now, before - 2.0e-6);
+      EXPECT_LT(now - before, 2.0 * step);
+      before = now;
+    }
+    EXPECT_EQ(before, 1.0);
+  }
+  EXPECT_EQ(sunlight_seen(1.0, 1.05, 0.0499, 0.503), 0.0);
+}
+
+double lux_of(const Observer& observer, const std::string& time, const std::string& name) {
+  for (const SkyLight& light : lights_of(sky_state(parse_instant(time), observer))) {
+    if (light.name == name) {
+      return integrate_xyzs(light.irradiance).y;
+    }
+  }
+  return 0.0;
+}
+
+TEST(EclipseLight, TheSunOverBurgosOnTheTwelfthOfAugust2026) {
+  const Observer burgos{42.34 * deg, -3.70 * deg, 860.0 * metre};
+  const double before = lux_of(burgos, "2026-08-12T17:20:00Z", "sun");
+  EXPECT_EQ(lux_of(burgos, "2026-08-12T18:29:30Z", "sun"), 0.0) << "totality";
+  EXPECT_NEAR(before, 133.3e3 / (1.0134 * 1.0134), 500.0);
+  // Half an hour before it much of the disc is covered, less of its light than of its area is not.
+  const SkyState partial = sky_state(parse_instant("2026-08-12T18:00:00Z"), burgos);
+  const double share = lux_of(burgos, "2026-08-12T18:00:00Z", "sun") / before;
+  EXPECT_NEAR(share, 1.0 - partial.solar_eclipse.obscuration, 0.08);
+  EXPECT_NE(share, 1.0 - partial.solar_eclipse.obscuration);
+  // The limb is redder than the disc: so is what a thin crescent gives.
+  const SkyState late = sky_state(parse_instant("2026-08-12T18:26:00Z"), burgos);
+  const Spectrum crescent = sunlight_past_moon(late.solar_eclipse);
+  EXPECT_GT(crescent(650.0), 1.1 * crescent(450.0));
+}
+
+TEST(EclipseLight, TheMoonOnTheThirdOfMarch2026) {
+  const Observer honolulu{21.31 * deg, -157.86 * deg, 0.0 * metre};
+  const double full = lux_of(honolulu, "2026-03-03T08:20:00Z", "moon"); // P1 is at 8:44
+  EXPECT_GT(full, 0.2);
+  const double in_penumbra = lux_of(honolulu, "2026-03-03T09:40:00Z", "moon");
+  EXPECT_LT(in_penumbra, 0.95 * full);
+  EXPECT_GT(in_penumbra, 0.3 * full);
+  const double total = lux_of(honolulu, "2026-03-03T11:34:00Z", "moon");
+  EXPECT_NEAR(total / full, 2.0e-5, 1.0e-5) << "11.7 magnitudes";
+  const SkyState sky = sky_state(parse_instant("2026-03-03T11:34:00Z"), honolulu);
+  const Spectrum copper = sunlight_on_moon(sky.lunar_eclipse);
+  EXPECT_GT(copper(650.0), 2.0 * copper(450.0));
+  // Through all contacts nothing jumps.
+  double last = full;
+  for (int minute = 25; minute < 180; ++minute) {
+    const SkyState now = sky_state(parse_instant("JD" + std::to_string(2461102.847222 + minute / 1440.0)), honolulu);
+    const double share = sunlight_on_moon(now.lunar_eclipse)(550.0);
+    if (minute > 25) {
+      EXPECT_LT(std::abs(share - last), 0.03) << minute;
+    }
+    last = share;
+  }
+}
+
+} // namespace
+} // namespace vesper
