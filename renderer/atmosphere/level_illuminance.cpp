@@ -1,5 +1,6 @@
 #include "vesper/atmosphere/level_illuminance.hpp"
 
+#include "vesper/atmosphere/sky_table_parts.hpp"
 #include "vesper/base/gauss_legendre.hpp"
 
 #include <algorithm>
@@ -85,16 +86,11 @@ class Slice {
 public:
   using Series = std::array<f32::vec4, azimuths>;
 
-  Slice(const SkyTables& tables, const std::vector<f32::vec4>& table, float height_km, float light_rad)
-      : rows_(static_cast<std::size_t>(tables.frame.views_above)) {
-    const f32::SkyTableFrame& frame = tables.frame;
-    const f32::sampler3D texels = sampler(tables, table);
-    const f32::SkyNodes heights = f32::sky_nodes(f32::sky_height_place(height_km, frame), frame.heights);
-    const f32::SkyNodes lights = f32::sky_nodes(f32::sky_light_place(light_rad, frame), frame.lights);
+  /// \param node logarithm of the mean source by row and number of the node over the azimuth
+  template <class Node> Slice(int rows, const Node& node) : rows_(static_cast<std::size_t>(rows)) {
     for (std::size_t row = 0; row < rows_.size(); ++row) {
-      const int table_row = frame.views_below + static_cast<int>(row);
       for (int k = 0; k < azimuths; ++k) {
-        const f32::vec4 value = f32::sky_table_between(texels, heights, lights, table_row, k, frame);
+        const f32::vec4 value = node(static_cast<int>(row), k);
         for (int m = 0; m < azimuths; ++m) {
           rows_[row][static_cast<std::size_t>(m)] +=
               series_weights()[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] * value;
@@ -119,6 +115,28 @@ public:
 private:
   std::vector<Series> rows_;
 };
+
+/// The slice of large tables.
+Slice slice_of(const SkyTables& tables, const std::vector<f32::vec4>& table, float height_km, float light_rad) {
+  const f32::SkyTableFrame& frame = tables.frame;
+  const f32::sampler3D texels = sampler(tables, table);
+  const f32::SkyNodes heights = f32::sky_nodes(f32::sky_height_place(height_km, frame), frame.heights);
+  const f32::SkyNodes lights = f32::sky_nodes(f32::sky_light_place(light_rad, frame), frame.lights);
+  return {frame.views_above, [&](int row, int k) {
+            return f32::sky_table_between(texels, heights, lights, frame.views_below + row, k, frame);
+          }};
+}
+
+/// The slice that small tables make of a part of the light.
+Slice slice_of(const SkyTables& tables, f32::vec4 SkySources::*part, float height_km, float light_rad) {
+  const f32::SkyTableFrame& frame = tables.frame;
+  const float dip = f32::sky_dip(height_km, frame);
+  return {frame.views_above, [&](int row, int k) {
+            const float altitude = f32::sky_node_altitude_rad(frame.views_below + row, dip, frame);
+            const auto cosine = static_cast<float>(std::cos(pi * k / (azimuths - 1)));
+            return log2_of(sky_sources(tables, height_km, altitude, false, light_rad, cosine).*part, sky_darkest_log2);
+          }};
+}
 
 f32::vec4 exp2_of(const Slice::Series& series, const AzimuthNode& azimuth) {
   f32::vec4 sum(0.0F);
@@ -158,8 +176,10 @@ Xyzs diffuse_illuminance(const SkyTables& tables, Length height, Angle light_alt
     return {};
   }
   const auto light = static_cast<float>(light_altitude.to(rad));
-  const Slice other(tables, tables.other, height_km, light);
-  const Slice aerosol(tables, tables.aerosol, height_km, light);
+  const Slice other = tables.small ? slice_of(tables, &SkySources::other, height_km, light)
+                                   : slice_of(tables, tables.other, height_km, light);
+  const Slice aerosol = tables.small ? slice_of(tables, &SkySources::aerosol, height_km, light)
+                                     : slice_of(tables, tables.aerosol, height_km, light);
   const float dip = f32::sky_dip(height_km, frame);
   const f32::sampler1D phases = line_sampler(tables.phase);
   f32::vec4 sum(0.0F);

@@ -1,14 +1,20 @@
 #include "vesper/atmosphere/sky_table_parts.hpp"
 
 #include "vesper/base/worker_pool.hpp"
+#include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 
 namespace vesper {
 
+namespace {
+
+/// The phase function near 550 nm for sky_aerosol_phase: the mean over what is no molecule, weighted by what each
+/// component scatters from the ground to space.
 std::vector<f32::vec4> aerosol_phase_table(const SampledAir& air, const SpectralAir& optics) {
   const std::vector<double>& wavelengths = optics.wavelengths_nm();
   const auto green = static_cast<std::size_t>(
@@ -34,6 +40,54 @@ std::vector<f32::vec4> aerosol_phase_table(const SampledAir& air, const Spectral
     table.emplace_back(static_cast<float>(std::log2(phase)), 0.0F, 0.0F, 0.0F);
   }
   return table;
+}
+
+/// The table of sky_ground_view_log2: the same texels of the air between an observer and the ground, over the way in
+/// km.
+std::vector<f32::vec4> ground_view_table(const SampledAir& air,
+                                         const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
+                                         unsigned threads) {
+  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
+  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
+  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
+  const double ground_km = air.ground_km();
+  std::vector<f32::vec4> table(columns * rows);
+  parallel_for(
+      rows, 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin * columns; k < end * columns; ++k) {
+          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
+          // At the ground itself the way has no length.
+          constexpr double least_km = 1.0e-3;
+          const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);
+          const double dip = std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
+          const auto altitude = static_cast<double>(
+              f32::sky_ground_view_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
+          // The horizon itself counts as ground.
+          constexpr double aside_rad = 2.0e-6;
+          const AirRay ray = air.ray(ground_km + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
+          SampledAir::PerComponent sum{};
+          air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
+            air.add_columns(ray, from, to, sum);
+            return true;
+          });
+          table[k] = texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
+        }
+      },
+      threads);
+  return table;
+}
+
+} // namespace
+
+SunlitAir::SunlitAir(const Medium& medium, std::size_t most_wavelengths)
+    : rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), air_(medium),
+      optics_(medium, rule_.wavelengths_nm) {
+  const SpectralWeights& weights = rule_.weights;
+  const double all = std::accumulate(weights.y.begin(), weights.y.end(), 0.0);
+  for (std::size_t l = 0; l < optics_.size(); ++l) {
+    weights_.push_back(Vec4(weights.x[l], weights.y[l], weights.z[l], weights.s[l]) / all);
+  }
 }
 
 std::vector<f32::vec4> transmittance_table(const SampledAir& air,
@@ -67,38 +121,36 @@ std::vector<f32::vec4> transmittance_table(const SampledAir& air,
   return table;
 }
 
-std::vector<f32::vec4> ground_view_table(const SampledAir& air,
-                                         const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
-                                         unsigned threads) {
-  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
-  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
-  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
-  const double ground_km = air.ground_km();
-  std::vector<f32::vec4> table(columns * rows);
-  parallel_for(
-      rows, 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin * columns; k < end * columns; ++k) {
-          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
-          // At the ground itself the way has no length.
-          constexpr double least_km = 1.0e-3;
-          const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);
-          const double dip = std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
-          const auto altitude = static_cast<double>(
-              f32::sky_ground_view_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
-          // The horizon itself counts as ground.
-          constexpr double aside_rad = 2.0e-6;
-          const AirRay ray = air.ray(ground_km + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
-          SampledAir::PerComponent sum{};
-          air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
-            air.add_columns(ray, from, to, sum);
-            return true;
-          });
-          table[k] = texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
-        }
-      },
-      threads);
-  return table;
+SkyTables tables_without_light(const SunlitAir& sunlit, const SkyTableSize& size, unsigned threads) {
+  const SampledAir& air = sunlit.air();
+  const SpectralAir& optics = sunlit.optics();
+  std::vector<double> ones(optics.size(), 1.0);
+  std::vector<double> albedo;
+  for (std::size_t l = 0; l < optics.size(); ++l) {
+    albedo.push_back(optics.albedo(l));
+  }
+  SkyTables tables;
+  tables.frame = {static_cast<float>(air.ground_km()),
+                  static_cast<float>(air.top_km()),
+                  size.heights,
+                  size.views_below,
+                  size.views_above,
+                  size.lights};
+  tables.light = sunlit.responses(ones);
+  tables.albedo = sunlit.responses(albedo) / tables.light;
+  tables.phase = aerosol_phase_table(air, optics);
+  const auto texel = [&](const SampledAir::PerComponent& columns) {
+    std::vector<double> left(optics.size());
+    for (std::size_t l = 0; l < optics.size(); ++l) {
+      left[l] = std::exp(-optics.optical_depth(columns, l));
+    }
+    return log2_of(sunlit.responses(left) / tables.light, sky_darkest_log2);
+  };
+  tables.transmittance_frame = sky_transmittance_nodes;
+  tables.transmittance = transmittance_table(air, texel, threads);
+  const std::vector<f32::vec4> from_ground = ground_view_table(air, texel, threads);
+  tables.transmittance.insert(tables.transmittance.end(), from_ground.begin(), from_ground.end());
+  return tables;
 }
 
 f32::vec4 log2_of(const f32::vec4& light, float least_log2) {

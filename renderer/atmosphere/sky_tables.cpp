@@ -1,7 +1,9 @@
 #include "vesper/atmosphere/sky_tables.hpp"
 
 #include "vesper/atmosphere/air_view.hpp"
+#include "vesper/atmosphere/small_sky_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -21,6 +23,23 @@ f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels) {
   return {texels.data(), static_cast<int>(texels.size())};
 }
 
+SkySources sky_sources(const SkyTables& tables, float height_km, float altitude_rad, bool meets_ground,
+                       float light_altitude_rad, float azimuth_cos) {
+  const f32::SkyTableFrame& frame = tables.frame;
+  if (tables.small) {
+    const SmallSkyLight light =
+        small_sky_light(*tables.small, height_km, altitude_rad, meets_ground, light_altitude_rad, azimuth_cos);
+    const float share = std::max(f32::sky_path_share(height_km, altitude_rad, meets_ground, frame), 1.0e-20F);
+    return {light.aerosol / share, light.other / share};
+  }
+  const f32::SkyViewPlace row = f32::sky_view_place(altitude_rad, f32::sky_dip(height_km, frame), meets_ground, frame);
+  const auto source = [&](const std::vector<f32::vec4>& table) {
+    return glm::exp2(
+        f32::sky_table_log2(sampler(tables, table), height_km, row, light_altitude_rad, azimuth_cos, frame));
+  };
+  return {source(tables.aerosol), source(tables.other)};
+}
+
 Xyzs sky_luminance(const SkyTables& tables, const SkyQuery& query) {
   const f32::SkyTableFrame& frame = tables.frame;
   const std::optional<AirView> seen =
@@ -30,17 +49,13 @@ Xyzs sky_luminance(const SkyTables& tables, const SkyQuery& query) {
   }
   const auto height_km = static_cast<float>(seen->height_km);
   const auto altitude = static_cast<float>(seen->altitude_rad);
-  const auto light_altitude = static_cast<float>(seen->light_altitude_rad);
-  const auto cos_azimuth = static_cast<float>(seen->cos_azimuth);
-  const f32::SkyViewPlace row =
-      f32::sky_view_place(altitude, f32::sky_dip(height_km, frame), seen->meets_ground, frame);
   const float share = f32::sky_path_share(height_km, altitude, seen->meets_ground, frame);
-  const auto source = [&](const std::vector<f32::vec4>& table) {
-    return glm::exp2(f32::sky_table_log2(sampler(tables, table), height_km, row, light_altitude, cos_azimuth, frame));
-  };
+  const SkySources sources =
+      sky_sources(tables, height_km, altitude, seen->meets_ground, static_cast<float>(seen->light_altitude_rad),
+                  static_cast<float>(seen->cos_azimuth));
   const float phase = f32::sky_aerosol_phase(line_sampler(tables.phase), static_cast<float>(seen->cos_angle),
                                              static_cast<int>(tables.phase.size()));
-  f32::vec4 sum = share * (source(tables.other) + phase * source(tables.aerosol));
+  f32::vec4 sum = share * (sources.other + phase * sources.aerosol);
   if (seen->meets_ground) {
     const f32::vec4 illuminance = f32::sky_ground_illuminance(
         line_sampler(tables.ground), transmittance_sampler(tables), tables.light,

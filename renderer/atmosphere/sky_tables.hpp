@@ -8,6 +8,7 @@
 #include "vesper/light/response_functions.hpp"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace vesper {
@@ -21,6 +22,8 @@ struct SkyTableSize {
   LightFieldSize field{}; ///< how finely the light is solved that fills them
 };
 
+struct SmallSkyTables;
+
 /// Light above 1 lux of sunlight (solar_irradiance_1au) outside the air, in X, Y, Z and S: cd/m2, or lux. Texels lie as
 /// in shaders/lib/sky_table.glsl, which holds what they mean and how to read them.
 struct SkyTables {
@@ -33,6 +36,8 @@ struct SkyTables {
   std::vector<f32::vec4> transmittance; ///< twice the frame's heights: toward space, then from the ground
   f32::vec4 light{};                    ///< X, Y, Z, S of 1 lux of sunlight
   f32::vec4 albedo{};                   ///< of the ground, in sunlight
+  /// In place of `aerosol` and `other`, which are empty then: Hillaire's tier (small_sky_tables.hpp).
+  std::shared_ptr<const SmallSkyTables> small;
 };
 
 /// The samplers of the tables, for the functions of sky_table.glsl. The tables outlive them.
@@ -49,6 +54,15 @@ using Progress = std::function<void(double share)>;
 /// Throws Error(argument) for a medium or a size out of its range.
 [[nodiscard]] SkyTables make_sky_tables(const Medium& medium, const SkyTableSize& size = {}, unsigned threads = 0,
                                         const Progress& progress = {}, const LightFieldSolver& solver = {});
+
+/// Mean sources along a view from inside the air, as the tables hold them, not logarithms.
+struct SkySources {
+  f32::vec4 aerosol{}; ///< over the phase function
+  f32::vec4 other{};
+};
+/// \param azimuth_cos of the view's azimuth from the light's
+[[nodiscard]] SkySources sky_sources(const SkyTables& tables, float height_km, float altitude_rad, bool meets_ground,
+                                     float light_altitude_rad, float azimuth_cos);
 
 /// Luminance toward an observer anywhere above 1 lux of sunlight from the query's direction, the ground's included
 /// where the view meets it. Throws Error(argument) for a query out of its range.

@@ -1,13 +1,10 @@
 #include "vesper/atmosphere/light_field.hpp"
 #include "vesper/atmosphere/sky_table_parts.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
-#include "vesper/atmosphere/spectral_rule.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
-#include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <mutex>
@@ -20,15 +17,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t most_wavelengths = 8; ///< by measurement: docs/SKY_TABLES.md
-/// Logarithms to base 2 of what is dark; and of the least share that light scattered once by aerosol is given of the
-/// other light, so that a shadow's edge is no cliff that interpolation overshoots.
-constexpr float darkest_log2 = -100.0F;
+/// Logarithm to base 2 of the least share that light scattered once by aerosol is given of the other light, so that a
+/// shadow's edge is no cliff that interpolation overshoots.
 constexpr float least_aerosol_log2 = -14.0F;
-
-f32::vec4 to_vec4(const Xyzs& light) {
-  return {static_cast<float>(light.x), static_cast<float>(light.y), static_cast<float>(light.z),
-          static_cast<float>(light.s)};
-}
 
 void validate(const SkyTableSize& size) {
   for (const int nodes : {size.heights, size.views_below, size.views_above, size.lights}) {
@@ -44,22 +35,10 @@ class Filler {
 public:
   Filler(const Medium& medium, const SkyTableSize& size, unsigned threads, const Progress& progress,
          const LightFieldSolver& solver)
-      : threads_(threads), progress_(progress), field_size_(size.field), solver_(solver), air_(medium),
-        rule_(spectral_rule(medium, solar_irradiance_1au(), most_wavelengths)), optics_(medium, rule_.wavelengths_nm) {
-    const Xyzs sun = rule_.weights(std::vector<double>(optics_.size(), 1.0));
-    lux_ = sun.y;
-    tables_.light = to_vec4({sun.x / lux_, 1.0, sun.z / lux_, sun.s / lux_});
-    tables_.frame = {static_cast<float>(air_.ground_km()),
-                     static_cast<float>(air_.top_km()),
-                     size.heights,
-                     size.views_below,
-                     size.views_above,
-                     size.lights};
-  }
+      : threads_(threads), progress_(progress), field_size_(size.field), solver_(solver),
+        sunlit_(medium, most_wavelengths), tables_(tables_without_light(sunlit_, size, threads)) {}
 
   SkyTables operator()() {
-    tables_.phase = aerosol_phase_table(air_, optics_);
-    fill_transmittance();
     const LightField field = solve();
     report(0.5);
     fill_ground(field);
@@ -70,22 +49,10 @@ public:
 private:
   [[nodiscard]] LightField solve() const {
     if (!solver_) {
-      return {air_, optics_, field_size_, threads_};
+      return {sunlit_.air(), sunlit_.optics(), field_size_, threads_};
     }
-    const LightFieldModel model(air_, optics_, field_size_, threads_);
+    const LightFieldModel model(sunlit_.air(), sunlit_.optics(), field_size_, threads_);
     return {model, solver_(model)};
-  }
-
-  template <class Values> [[nodiscard]] f32::vec4 responses(const Values& spectrum) const {
-    Xyzs sum;
-    for (std::size_t l = 0; l < optics_.size(); ++l) {
-      const auto value = static_cast<double>(spectrum[l]) / lux_;
-      sum.x += rule_.weights.x[l] * value;
-      sum.y += rule_.weights.y[l] * value;
-      sum.z += rule_.weights.z[l] * value;
-      sum.s += rule_.weights.s[l] * value;
-    }
-    return to_vec4(sum);
   }
 
   void report(double share) const {
@@ -94,29 +61,11 @@ private:
     }
   }
 
-  void fill_transmittance() {
-    tables_.transmittance_frame = sky_transmittance_nodes;
-    const auto texel = [&](const SampledAir::PerComponent& columns) {
-      std::vector<double> left(optics_.size());
-      for (std::size_t l = 0; l < optics_.size(); ++l) {
-        left[l] = std::exp(-optics_.optical_depth(columns, l));
-      }
-      return log2_of(responses(left) / tables_.light, darkest_log2);
-    };
-    tables_.transmittance = transmittance_table(air_, texel, threads_);
-    const std::vector<f32::vec4> from_ground = ground_view_table(air_, texel, threads_);
-    tables_.transmittance.insert(tables_.transmittance.end(), from_ground.begin(), from_ground.end());
-    std::vector<double> albedo;
-    for (std::size_t l = 0; l < optics_.size(); ++l) {
-      albedo.push_back(optics_.albedo(l));
-    }
-    tables_.albedo = responses(albedo) / tables_.light;
-  }
-
   void fill_ground(const LightField& field) {
     for (int i = 0; i < tables_.frame.lights; ++i) {
       const auto altitude = static_cast<double>(f32::sky_node_light_rad(i, tables_.frame));
-      tables_.ground.push_back(log2_of(responses(field.diffuse_irradiance(std::sin(altitude))), darkest_log2));
+      tables_.ground.push_back(
+          log2_of(sunlit_.responses(field.diffuse_irradiance(std::sin(altitude))), sky_darkest_log2));
     }
   }
 
@@ -153,18 +102,20 @@ private:
     constexpr double aside_rad = 2.0e-6;
     const double aside = altitude == -dip ? (below ? -aside_rad : aside_rad) : 0.0;
     const double view = static_cast<double>(altitude) + aside;
-    const LightField::ViewRay ray = field.view_ray(air_.ground_km() + static_cast<double>(height_km), std::sin(view));
+    const LightField::ViewRay ray =
+        field.view_ray(sunlit_.air().ground_km() + static_cast<double>(height_km), std::sin(view));
     const float path_share = f32::sky_path_share(height_km, altitude, below, frame);
     for (int l = 0; l < frame.lights; ++l) {
       const auto light = static_cast<double>(f32::sky_node_light_rad(l, frame));
       for (int k = 0; k < f32::sky_azimuths; ++k, ++texel) {
         const double cos_azimuth = std::cos(pi * k / (f32::sky_azimuths - 1));
         const LightField::RayLight seen = field.light(ray, std::sin(light), cos_azimuth, mean_light_radius);
-        const f32::vec4 other = log2_of(responses(seen.other) / path_share, darkest_log2);
+        const f32::vec4 other = log2_of(sunlit_.responses(seen.other) / path_share, sky_darkest_log2);
         const double cos_angle = std::sin(view) * std::sin(light) + std::cos(view) * std::cos(light) * cos_azimuth;
         const float phase =
             f32::sky_aerosol_phase(line_sampler(tables_.phase), static_cast<float>(cos_angle), sky_phase_nodes);
-        const f32::vec4 aerosol = log2_of(responses(seen.single_aerosol) / (path_share * phase), darkest_log2);
+        const f32::vec4 aerosol =
+            log2_of(sunlit_.responses(seen.single_aerosol) / (path_share * phase), sky_darkest_log2);
         tables_.other[texel] = other;
         tables_.aerosol[texel] = glm::max(aerosol, other + f32::vec4(least_aerosol_log2));
       }
@@ -175,10 +126,7 @@ private:
   const Progress& progress_;
   LightFieldSize field_size_;
   const LightFieldSolver& solver_;
-  SampledAir air_;
-  SpectralRule rule_;
-  SpectralAir optics_;
-  double lux_ = 1.0;
+  SunlitAir sunlit_;
   SkyTables tables_;
 };
 

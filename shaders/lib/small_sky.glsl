@@ -12,7 +12,6 @@ struct SmallSkyFrame {
   Real depolarization; // of molecules
   int levels;          // of the table of the air
   int multiple_nodes;  // of the table of light scattered many times, both ways
-  int phase_nodes;     // of the aerosol's phase function (sky_aerosol_phase)
   int steps;           // along a view ray
 };
 
