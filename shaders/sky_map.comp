@@ -49,13 +49,13 @@ Row row_of(int number, SkyTableFrame frame) {
   float place = float(row.below ? rows - 1 - number : number - block.map_rows_below) / float(rows - 1);
   row.seen_rad = sky_map_altitude_rad(place, row.below, map_frame());
   // The horizon that is seen falls on that of straight rays, zenith and nadir on themselves.
-  float horizon = asin(block.sin_horizon);
+  float horizon = sky_arc_sine(block.sin_horizon);
   float dip = sky_dip(block.height_km, frame);
   float quarter = 0.5 * sky_half_turn;
   row.turn_rad = 0.0;
   row.height_km = block.height_km;
 #ifdef OUTSIDE
-  float highest = asin(block.sin_highest);
+  float highest = sky_arc_sine(block.sin_highest);
   float share = row.below ? (horizon - row.seen_rad) / (horizon + quarter) : (row.seen_rad - horizon) / (highest - horizon);
   float range = row.below ? dip - quarter : dip - sky_limb_dip(block.height_km, frame);
   float altitude = range * clamp(share, 0.0, 1.0) - dip;
@@ -77,7 +77,7 @@ Row row_of(int number, SkyTableFrame frame) {
   if (row.below && block.albedo != vec4(0.0)) {
     float rise = (frame.ground_km + row.height_km) * sin(row.altitude_rad);
     float root = sqrt(max(rise * rise - row.height_km * (2.0 * frame.ground_km + row.height_km), 0.0));
-    row.ground_turn_rad = -asin(clamp(root / frame.ground_km, 0.0, 1.0)) - row.altitude_rad;
+    row.ground_turn_rad = -atan(root, (frame.ground_km + row.height_km) * cos(row.altitude_rad)) - row.altitude_rad;
     row.ground_share =
         block.albedo / sky_half_turn *
         exp2(sky_ground_view_log2(transmittance, row.height_km, row.altitude_rad, transmittance_frame(), frame));
@@ -120,7 +120,7 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float aside = dot(direction, cross(up, forward));
     float cos_azimuth = along * inversesqrt(max(along * along + aside * aside, 1.0e-20));
 #ifdef OUTSIDE
-    float light_altitude = asin(clamp(dot(direction, up), -1.0, 1.0));
+    float light_altitude = sky_arc_sine(dot(direction, up));
     vec4 other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
     vec4 aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
 #else
@@ -132,7 +132,7 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float lobe = textureLod(phase, (min(lobe_place, 1.0) * steps + 0.5) / (steps + 1.0), 0.0).y;
     vec4 arriving = row.path_share * (exp2(other) + exp2(aerosol + lobe));
     vec2 nodes = vec2(textureSize(ground, 0));
-    float light_place = sky_light_share(asin(clamp(dot(ground_up, direction), -1.0, 1.0)));
+    float light_place = sky_light_share(sky_arc_sine(dot(ground_up, direction)));
     vec2 at = (vec2(light_place * (nodes.x - 1.0), float(light)) + 0.5) / nodes;
     arriving += row.ground_share * textureLod(ground, at, 0.0);
     mat4 calibrated = block.lights[light].xyzs_from_sunlight;

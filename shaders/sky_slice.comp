@@ -20,7 +20,7 @@ void main() {
   int m = int(gl_LocalInvocationID.x);
   bool inside = row < frame.views_below + frame.views_above;
   if (inside) {
-    float altitude = asin(clamp(block.lights[light].direction.z, -1.0, 1.0));
+    float altitude = sky_arc_sine(block.lights[light].direction.z);
     nodes[gl_LocalInvocationID.y][m] =
         sky_table_between(table, sky_nodes(sky_height_place(block.height_km, frame), frame.heights),
                           sky_nodes(sky_light_place(altitude, frame), frame.lights), row, m, frame);

@@ -56,7 +56,7 @@ std::array<std::size_t, parts.size()> counts(const Header& header) {
   const std::size_t scattering =
       product(header.heights, header.views_below + header.views_above, header.lights, f32::sky_azimuths);
   return {scattering, scattering, product(header.lights), product(header.phase_nodes),
-          product(header.transmittance_altitudes, header.transmittance_heights)};
+          2 * product(header.transmittance_altitudes, header.transmittance_heights)};
 }
 
 std::size_t file_size(const Header& header) {

@@ -38,7 +38,7 @@ private:
 /// Where what depends on the wavelength is looked at: the medium's own wavelengths, and those that a solver may choose.
 std::vector<double> wavelengths_of(const Medium& medium) {
   std::vector<double> wavelengths = medium.wavelengths_nm;
-  for (double nm = 360.0; nm <= 830.0; nm += 5.0) {
+  for (int nm = 360; nm <= 830; nm += 5) {
     wavelengths.push_back(nm);
   }
   return wavelengths;

@@ -24,7 +24,7 @@ std::vector<fs::path> data_folders() {
 fs::path find_data_file(std::string_view name) {
   for (const fs::path& folder : data_folders()) {
     std::error_code not_there;
-    if (const fs::path path = folder / name; fs::is_regular_file(path, not_there)) {
+    if (fs::path path = folder / name; fs::is_regular_file(path, not_there)) {
       return path;
     }
   }

@@ -16,8 +16,8 @@ class SkyMap {
 public:
   /// Steps over azimuth, a multiple of 4, and texels over the views that meet the ground and the others. shaders/sky.frag states the error.
   static constexpr int columns = 160;
-  static constexpr int rows_below = 40;
-  static constexpr int rows_above = 128;
+  static constexpr int rows_below = 48;
+  static constexpr int rows_above = 136;
 
   /// The library must outlive the map.
   explicit SkyMap(const ShaderLibrary& library);

@@ -28,7 +28,7 @@ double between(const std::array<double, 3>& values, double nm) {
 Spectrum spectrum_of(const std::array<double, 3>& shares) {
   std::vector<double> wavelengths;
   std::vector<double> values;
-  for (double nm = response_first_nm - 1.0; nm <= response_last_nm + 1.0; nm += 1.0) {
+  for (int nm = response_first_nm - 1; nm <= response_last_nm + 1; ++nm) {
     wavelengths.push_back(nm);
     values.push_back(std::clamp(between(shares, nm), 0.0, 1.0));
   }

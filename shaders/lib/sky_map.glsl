@@ -46,7 +46,7 @@ FN Real sky_map_row(Real sin_altitude, bool below, SkyMapFrame frame) {
 FN Real sky_map_altitude_rad(Real row, bool below, SkyMapFrame frame) {
   Real horizon = below ? frame.nadir_to_horizon : frame.zenith_to_horizon;
   Real end = below ? Real(0.0) : frame.zenith_to_end;
-  Real from_end = Real(2.0) * asin(mix(horizon, end, row * row));
+  Real from_end = Real(2.0) * sky_arc_sine(mix(horizon, end, row * row));
   return below ? from_end - Real(1.5707963267948966) : Real(1.5707963267948966) - from_end;
 }
 

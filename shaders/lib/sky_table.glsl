@@ -18,6 +18,9 @@ struct SkyTableFrame {
 CONSTANT Real sky_half_turn = Real(3.141592653589793);
 CONSTANT int sky_azimuths = 8; // nodes over half a turn, at equal steps
 
+// Angle whose sine is given. GLSL's own may be off by 1e-4, which is much of a twilight's slope.
+FN Real sky_arc_sine(Real sine) { return atan(sine, sqrt(max((Real(1.0) - sine) * (Real(1.0) + sine), Real(0.0)))); }
+
 // Geometric dip of the horizon.
 FN Real sky_dip(Real height_km, SkyTableFrame frame) {
   Real h = max(height_km, Real(0.0));

@@ -22,7 +22,7 @@ inline SkyTables numbered_tables() {
   fill(tables.other, 2 * 5 * 2 * f32::sky_azimuths);
   fill(tables.ground, 2);
   fill(tables.phase, 5);
-  fill(tables.transmittance, 8);
+  fill(tables.transmittance, 16);
   return tables;
 }
 
