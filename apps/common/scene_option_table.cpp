@@ -67,9 +67,9 @@ std::string apply_longitude(std::string_view text, SceneOptions& scene) {
 }
 
 std::string apply_height(std::string_view text, SceneOptions& scene) {
-  const auto value = number_within(text, -500.0, 100000.0);
+  const auto value = number_within(text, -500.0, 1.0e8);
   if (!value) {
-    return "-500 to 100000 metres above the ellipsoid";
+    return "-500 to 100000000 metres above the ellipsoid";
   }
   scene.observer.height = *value * metre;
   scene.height_given = true;
@@ -248,7 +248,7 @@ constexpr std::array table{
     SceneOptionDescription{"longitude", Kind::number, "DEG", place,
                            "Longitude, east positive, -180 to 360; default Greenwich, 0", apply_longitude},
     SceneOptionDescription{"height", Kind::number, "M", place,
-                           "Height above the ellipsoid, -500 to 100000; default 0, at Greenwich 47", apply_height},
+                           "Height above the ellipsoid, -500 to 100000000; default 0, at Greenwich 47", apply_height},
     SceneOptionDescription{"pressure", Kind::number, "HPA", place,
                            "Air pressure at the observer, 0 to 1100; default that of the standard atmosphere",
                            apply_pressure},

@@ -35,6 +35,9 @@ Angle true_altitude(Angle apparent_altitude, const RefractionTable& table) {
 }
 
 Refraction standard_refraction(Length height, Tier tier) {
+  if (height > highest_refraction) {
+    return {};
+  }
   return {tier == Tier::cheap ? RefractionModel::published : RefractionModel::traced, standard_conditions(height),
           nullptr};
 }

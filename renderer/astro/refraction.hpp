@@ -49,8 +49,11 @@ struct Refraction {
   std::shared_ptr<const RefractionTable> table; ///< for `traced`; what needs one makes its own from the conditions
 };
 
+/// Above it no air is left that bends light.
+inline constexpr Length highest_refraction = 100.0 * kilometre;
+
 /// What a tier bends light by in the standard atmosphere at a height, without a table: the published formula in the
-/// cheap tier, else traced rays.
+/// cheap tier, else traced rays; nothing above `highest_refraction`.
 [[nodiscard]] Refraction standard_refraction(Length height, Tier tier);
 
 /// A refraction with the table that its model needs. Throws Error(argument) for conditions out of range.

@@ -48,8 +48,9 @@ View metering_view(const View& view) {
   const double scale = std::min(1.0, side / std::min(view.width, view.height));
   View small = view;
   small.width = std::max(1, static_cast<int>(std::lround(scale * view.width)));
-  small.height = view.projection == Projection::cubemap ? 6 * small.width
-                                                        : std::max(1, static_cast<int>(std::lround(scale * view.height)));
+  small.height = view.projection == Projection::cubemap
+                     ? 6 * small.width
+                     : std::max(1, static_cast<int>(std::lround(scale * view.height)));
   return small;
 }
 

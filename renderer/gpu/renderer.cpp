@@ -42,7 +42,8 @@ struct Renderer::Target {
   Framebuffer framebuffer;
 };
 
-Renderer::Renderer(const ShaderLibrary& library) : star_pass_(library), planet_pass_(library), ground_pass_(library), sky_pass_(library) {}
+Renderer::Renderer(const ShaderLibrary& library)
+    : star_pass_(library), planet_pass_(library), ground_pass_(library), sky_pass_(library) {}
 
 Renderer::~Renderer() = default;
 

@@ -45,8 +45,9 @@ struct SkyBlock {
   float padding;
   std::array<float, 4> map_half_sines;
 };
-static_assert(sizeof(SkyBlockLight) == 96 && offsetof(SkyBlock, sunlight) == 192 && offsetof(SkyBlock, ground_km) == 224 &&
-              offsetof(SkyBlock, height_km) == 256 && offsetof(SkyBlock, map_half_sines) == 288 && sizeof(SkyBlock) == 304);
+static_assert(sizeof(SkyBlockLight) == 96 && offsetof(SkyBlock, sunlight) == 192 &&
+              offsetof(SkyBlock, ground_km) == 224 && offsetof(SkyBlock, height_km) == 256 &&
+              offsetof(SkyBlock, map_half_sines) == 288 && sizeof(SkyBlock) == 304);
 
 std::array<float, 4> array_of(const Vec3& v, double w) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(w)};
@@ -108,9 +109,10 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 } // namespace
 
 SkyMap::SkyMap(const ShaderLibrary& library)
-    : slice_program_(build_program(library, {"sky_slice.comp"})), ground_program_(build_program(library, {"sky_ground.comp"})),
-      map_programs_(library, {"sky_map.comp"}),
-      map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above), PixelFormat::rgba32f)),
+    : slice_program_(build_program(library, {"sky_slice.comp"})),
+      ground_program_(build_program(library, {"sky_ground.comp"})), map_programs_(library, {"sky_map.comp"}),
+      map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above),
+                        PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
       uniforms_(make_dynamic_buffer(sizeof(SkyBlock))) {
   interpolate(map_);
@@ -127,8 +129,8 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
     fill_slices(tables, plan);
   }
   fill_ground(tables);
-  const ProgramHandle& program = map_programs_.get(outside ? std::vector<std::string>{"OUTSIDE"}
-                                                           : std::vector<std::string>{});
+  const ProgramHandle& program =
+      map_programs_.get(outside ? std::vector<std::string>{"OUTSIDE"} : std::vector<std::string>{});
   glUseProgram(program.name());
   glBindTextureUnit(0, tables.transmittance().name());
   glBindTextureUnit(1, ground_.name());
@@ -177,18 +179,17 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
     return;
   }
   phase_of_ = share == 1.0F ? tables : nullptr;
-  phase_.resize(4 * phase_texels);
+  phase_.resize(std::size_t{4} * phase_texels);
   const auto log2_phase = [&](float cos_angle) {
-    return std::log2(f32::sky_aerosol_phase(line_sampler(tables->phase), cos_angle,
-                                            static_cast<int>(tables->phase.size())));
+    return std::log2(
+        f32::sky_aerosol_phase(line_sampler(tables->phase), cos_angle, static_cast<int>(tables->phase.size())));
   };
   // Without its peak the logarithm goes on in a straight line over the cosine.
   constexpr float step = 0.01F;
   const float slope = (log2_phase(f32::sky_peak_cos + step) - log2_phase(f32::sky_peak_cos - step)) / (2.0F * step);
   const auto without_peak = [&](float cos_angle) {
-    return cos_angle < f32::sky_peak_cos
-               ? log2_phase(cos_angle)
-               : log2_phase(f32::sky_peak_cos) + slope * (cos_angle - f32::sky_peak_cos);
+    return cos_angle < f32::sky_peak_cos ? log2_phase(cos_angle)
+                                         : log2_phase(f32::sky_peak_cos) + slope * (cos_angle - f32::sky_peak_cos);
   };
   for (std::size_t i = 0; i < phase_texels; ++i) {
     const float half_sine2 = std::pow(static_cast<float>(i) / (phase_texels - 1), 4.0F);

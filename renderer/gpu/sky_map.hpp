@@ -14,7 +14,8 @@ namespace vesper::gpu {
 /// What shaders/sky.frag reads: the map's layers and the phase function of the aerosol.
 class SkyMap {
 public:
-  /// Steps over azimuth, a multiple of 4, and texels over the views that meet the ground and the others. shaders/sky.frag states the error.
+  /// Steps over azimuth, a multiple of 4, and texels over the views that meet the ground and the others.
+  /// shaders/sky.frag states the error.
   static constexpr int columns = 160;
   static constexpr int rows_below = 48;
   static constexpr int rows_above = 136;

@@ -16,8 +16,8 @@ std::span<const float> floats(const std::vector<f32::vec4>& texels) {
 } // namespace
 
 SkyTextures::SkyTextures(std::shared_ptr<const SkyTables> tables)
-    : tables_(std::move(tables)), transmittance_(make_table_texture(tables_->transmittance_frame.altitudes,
-                                                                    floats(tables_->transmittance))),
+    : tables_(std::move(tables)),
+      transmittance_(make_table_texture(tables_->transmittance_frame.altitudes, floats(tables_->transmittance))),
       ground_(make_row_texture(floats(tables_->ground))) {
   const f32::sampler3D size = sampler(*tables_, tables_->other);
   other_ = make_volume_texture(size.width, size.height, size.depth);

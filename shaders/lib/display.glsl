@@ -13,12 +13,14 @@ FN Real srgb_encode(Real linear) {
   return v <= Real(0.0031308) ? Real(12.92) * v : Real(1.055) * pow(v, Real(1.0 / 2.4)) - Real(0.055);
 }
 
-// Brings a colour into the display's range: too bright ones are scaled by their largest component, which keeps the
-// hue of a star's core where clipping would bleach it; negative components (outside the gamut) are cut.
+// Brings a colour into the display's range: its largest component is left as it is up to a half and approaches 1 above,
+// the others keep their ratio to it, so that neither a star's core nor a bright sky is bleached and no edge shows where
+// a component would be clipped. Negative components (outside the gamut) are cut.
 FN vec3 fit_to_display(vec3 linear) {
   vec3 positive = max(linear, vec3(Real(0.0), Real(0.0), Real(0.0)));
   Real largest = max(positive.x, max(positive.y, positive.z));
-  return largest > Real(1.0) ? positive / largest : positive;
+  return largest > Real(0.5) ? positive * ((Real(1.0) - Real(0.5) * exp(Real(1.0) - Real(2.0) * largest)) / largest)
+                             : positive;
 }
 
 // Plain exposure: the luminance that becomes the display's white, in cd/m2, divides the frame.

@@ -12,9 +12,10 @@ namespace vesper::test {
 namespace {
 
 Bytes rendered(const std::filesystem::path& path, const std::string& options) {
-  const std::string command = std::string(VESPER_BIN) +
-                              "/vesper-render --quiet --time 2026-11-22T22:00:00Z --latitude 40 " +
-                              "--longitude -3.7 --seed 3 " + options + " -o " + path.string();
+  const std::string command =
+      std::string(VESPER_BIN) +
+      "/vesper-render --quiet --layers stars,planets,ground --time 2026-11-22T22:00:00Z --latitude 40 " +
+      "--longitude -3.7 --seed 3 " + options + " -o " + path.string();
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   return read_file(path);
 }

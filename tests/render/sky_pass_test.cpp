@@ -161,8 +161,9 @@ TEST_F(SkyPassTest, EveryProjectionShowsWhatTheTablesHold) {
       view.height = 144;
     }
     const Difference difference = compare(sky);
-    std::printf("%s: worst %.4f, rms %.5f\n", std::string(projection_names()[static_cast<std::size_t>(projection)]).c_str(),
-                difference.worst, difference.rms);
+    std::printf("%s: worst %.4f, rms %.5f\n",
+                std::string(projection_names()[static_cast<std::size_t>(projection)]).c_str(), difference.worst,
+                difference.rms);
     EXPECT_GT(difference.pixels, 1000);
     EXPECT_LT(difference.worst, 0.01);
   }
@@ -206,24 +207,22 @@ TEST_F(SkyPassTest, TheSkyDoesNotJumpWhereTheAirEnds) {
   EXPECT_LT(worst, 0.03);
 }
 
-TEST_F(SkyPassTest, TheHorizonIsNoSeamWithoutGround) {
-  // Across the horizon the light of the air alone goes on, but for what scatters behind it: a fine picture of it.
-  options.layers.reset(static_cast<std::size_t>(Layer::ground));
+TEST_F(SkyPassTest, TheHorizonIsNoSeam) {
+  // Pixels of 0.006 degrees on both of its sides, where the tables' rows crowd and refraction has moved it.
   view.projection = Projection::perspective;
   view.azimuth = 200.0 * deg;
   view.fov = 0.4 * deg;
   view.width = 8;
   view.height = 64;
+  options.air.refraction = true;
   for (const double height_km : {0.0, 2.4, 11.0}) {
-    const SkyState sky = sky_with(place(250.0, 10.0), place(120.0, -60.0), height_km * kilometre);
+    SkyState sky = sky_with(place(250.0, 10.0), place(120.0, -60.0), height_km * kilometre);
+    sky.refraction = standard_refraction(sky.observer.height, Tier::standard);
     view.altitude = std::asin(plan_frame(sky, view, {}, options).horizon_sin_altitude) * rad;
-    const gpu::Frame frame = render(sky);
-    double worst = 0.0;
-    for (int row = 1; row < view.height; ++row) {
-      worst = std::max(worst, std::abs(static_cast<double>(frame.pixel(4, row)[1] / frame.pixel(4, row - 1)[1]) - 1.0));
-    }
-    std::printf("%4.1f km: largest step between pixels 0.006 deg apart at the horizon %.4f\n", height_km, worst);
-    EXPECT_LT(worst, 0.03);
+    const Difference difference = compare(sky);
+    std::printf("%4.1f km: at the horizon worst %.4f, rms %.5f\n", height_km, difference.worst, difference.rms);
+    EXPECT_GT(difference.pixels, 1000);
+    EXPECT_LT(difference.worst, 0.01);
   }
 }
 
@@ -235,8 +234,8 @@ TEST_F(SkyPassTest, LayersAreDrawnAsAsked) {
   options.layers.reset().set(static_cast<std::size_t>(Layer::ground));
   const gpu::Frame ground = render(sky);
   const int nadir = view.height - 1;
-  EXPECT_GT(both.pixel(10, nadir)[1], 100.0F);        // lit ground
-  EXPECT_LT(air.pixel(10, nadir)[1], 1.0F);           // a metre of air before nothing
+  EXPECT_GT(both.pixel(10, nadir)[1], 100.0F);          // lit ground
+  EXPECT_LT(air.pixel(10, nadir)[1], 1.0F);             // a metre of air before nothing
   EXPECT_EQ(air.pixel(10, 5)[1], both.pixel(10, 5)[1]); // the same sky
   EXPECT_EQ(ground.pixel(10, nadir)[1], 0.0F);
   options.layers.set(static_cast<std::size_t>(Layer::sky));

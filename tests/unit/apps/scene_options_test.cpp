@@ -95,7 +95,7 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
       {{"--latitude", "nan"}, "--latitude: 'nan'"},
       {{"--latitude", ""}, "--latitude: ''"},
       {{"--longitude", "-181"}, "-180 to 360"},
-      {{"--height", "1e6"}, "-500 to 100000"},
+      {{"--height", "1e9"}, "-500 to 100000000"},
       {{"--pressure", "1101"}, "0 to 1100 hPa"},
       {{"--pressure", "-1"}, "0 to 1100 hPa"},
       {{"--temperature", "60.5"}, "-90 to 60 degrees Celsius"},
