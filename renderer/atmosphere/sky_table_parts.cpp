@@ -56,7 +56,8 @@ std::vector<f32::vec4> ground_view_table(const SampledAir& air,
       rows, 1,
       [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin * columns; k < end * columns; ++k) {
-          const double share = static_cast<double>(k / columns) / static_cast<double>(rows - 1);
+          const std::size_t row = k / columns;
+          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
           // At the ground itself the way has no length.
           constexpr double least_km = 1.0e-3;
           const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<char, 8> magic{'V', 'S', 'P', 'R', 'S', 'K', 'Y', '\0'};
 constexpr std::uint32_t byte_order = 0x01020304;
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 constexpr std::size_t digest_size = 64;
 
 using Digest = std::array<char, digest_size>;

@@ -72,7 +72,7 @@ private:
   void fill_scattering(const LightField& field) {
     const f32::SkyTableFrame& frame = tables_.frame;
     const auto lights = static_cast<std::size_t>(frame.lights);
-    const auto rows = static_cast<std::size_t>(frame.views_below + frame.views_above);
+    const auto rows = static_cast<std::size_t>(frame.views_below) + static_cast<std::size_t>(frame.views_above);
     const std::size_t row_texels = lights * f32::sky_azimuths;
     const auto all_rows = static_cast<std::size_t>(frame.heights) * rows;
     tables_.other.resize(all_rows * row_texels);

@@ -96,10 +96,9 @@ void eight_wavelengths(const Medium& medium, const SkySpectra& sky, const std::s
            {"0 to -6 degrees", -6.0, -0.1, 1.0},
            {"-6 to -12 degrees", -12.0, -6.1, 1.0}},
           [&](const std::vector<double>& radiance) {
-            std::vector<double> few;
-            for (const std::size_t place : places) {
-              few.push_back(radiance[place]);
-            }
+            std::vector<double> few(places.size());
+            std::transform(places.begin(), places.end(), few.begin(),
+                           [&](std::size_t place) { return radiance[place]; });
             return Pair{exact(radiance), rule.weights(few)};
           });
 }

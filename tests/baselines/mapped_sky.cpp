@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 namespace vesper::baseline {
 namespace {
@@ -37,8 +38,8 @@ LightField::ViewRay view_ray(const LightField& field, const SampledAir& air, con
 }
 
 MappedSky::MappedSky(const SkyMapping& mapping, const LightField& field, const SampledAir& air,
-                     const Responses& responses, const std::function<double(double)>& aerosol_phase)
-    : mapping_(mapping), aerosol_phase_(aerosol_phase) {
+                     const Responses& responses, std::function<double(double)> aerosol_phase)
+    : mapping_(mapping), aerosol_phase_(std::move(aerosol_phase)) {
   const SkyMappingSize& size = mapping.size();
   const auto row = static_cast<std::size_t>(size.lights) * static_cast<std::size_t>(size.azimuths);
   const auto rows = static_cast<std::size_t>(size.heights) * static_cast<std::size_t>(size.views);

@@ -22,24 +22,18 @@ public:
   /// Light over the phase functions of what scattered it, as published: once-scattered light of aerosol, and the rest
   /// over Rayleigh's.
   MappedSky(const SkyMapping& mapping, const LightField& field, const SampledAir& air, const Responses& responses,
-            const std::function<double(double cos_angle)>& aerosol_phase);
+            std::function<double(double cos_angle)> aerosol_phase);
 
   [[nodiscard]] glm::vec4 light(const SkyPlace& place, Between between) const;
 
 private:
-  [[nodiscard]] double phase_of_molecules(double cos_angle) const;
-
   const SkyMapping& mapping_;
   std::function<double(double)> aerosol_phase_;
   std::vector<glm::vec4> aerosol_;
   std::vector<glm::vec4> other_;
 };
 
-/// Light of the field from a place, ground not seen. The ray is brought to its side of the horizon.
-struct PlaceLight {
-  glm::vec4 aerosol;
-  glm::vec4 other;
-};
+/// A ray of the field for a place, brought to its side of the horizon.
 [[nodiscard]] LightField::ViewRay view_ray(const LightField& field, const SampledAir& air, const SkyPlace& place);
 
 } // namespace vesper::baseline

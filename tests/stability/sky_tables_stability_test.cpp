@@ -53,11 +53,11 @@ public:
     const double thickness_km = between(10.0, one_in(4) ? 2000.0 : 150.0);
     result.ground_radius = ground_km * kilometre;
     result.top_radius = (ground_km + thickness_km) * kilometre;
-    const double albedo = one_of<double>({0.0, 0.3, 1.0});
+    const auto albedo = one_of<double>({0.0, 0.3, 1.0});
     result.ground_albedo = constant_law(albedo);
     result.components[0].profile = HeightProfile::exponential(between(0.5, 20.0));
     result.components[1].profile = HeightProfile::exponential(between(0.1, 5.0));
-    const double g = one_of<double>({-0.99, -0.5, 0.0, 0.8, 0.99});
+    const auto g = one_of<double>({-0.99, -0.5, 0.0, 0.8, 0.99});
     result.components[1].phase = {
         one_of<PhaseKind>({PhaseKind::henyey_greenstein, PhaseKind::cornette_shanks, PhaseKind::schlick}),
         constant_law(g)};
