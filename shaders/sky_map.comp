@@ -17,7 +17,11 @@ layout(binding = 0, rgba32f) uniform image2D map; // its layers below one anothe
 layout(binding = 0) uniform sampler2D transmittance;
 layout(binding = 1) uniform sampler2D ground; // its illuminance, a row for each light: sky_ground.comp
 layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the phase function without its peak
-#ifdef OUTSIDE
+#if defined(OUTSIDE) && defined(SMALL)
+#include "lib/phase.glsl"
+#include "lib/small_sky.glsl"
+#include "small_sky_block.glsl"
+#elif defined(OUTSIDE)
 layout(binding = 3) uniform sampler3D other_table;
 layout(binding = 4) uniform sampler3D aerosol_table;
 #else
@@ -121,8 +125,14 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float cos_azimuth = along * inversesqrt(max(along * along + aside * aside, 1.0e-20));
 #ifdef OUTSIDE
     float light_altitude = sky_arc_sine(dot(direction, up));
+#ifdef SMALL
+    vec4 other;
+    vec4 aerosol;
+    small_sky_log2(row.height_km, row.altitude_rad, row.below, light_altitude, cos_azimuth, row.path_share, other, aerosol);
+#else
     vec4 other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
     vec4 aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+#endif
 #else
     vec4 other = series_log2(2 * light, cos_azimuth);
     vec4 aerosol = series_log2(2 * light + 1, cos_azimuth);

@@ -212,10 +212,12 @@ std::string apply_layers(std::string_view text, SceneOptions& scene) {
 std::string apply_sky(std::string_view text, SceneOptions& scene) {
   if (text == "tables") {
     scene.sky = SkyModel::tables;
+  } else if (text == "small-tables") {
+    scene.sky = SkyModel::small_tables;
   } else if (text == "reference") {
     scene.sky = SkyModel::reference;
   } else {
-    return "tables, reference";
+    return "tables, small-tables, reference";
   }
   return "";
 }
@@ -279,8 +281,8 @@ constexpr std::array table{
                            "What to draw, comma-separated: stars, planets, sky, ground; default all", apply_layers},
     SceneOptionDescription{
         "sky", Kind::text, "NAME", model,
-        "How the light of the air is found: tables, solved once for a medium and kept, or reference, a "
-        "Monte Carlo; default tables",
+        "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
+        "a cheap way that is good by day; or reference, a Monte Carlo; default tables",
         apply_sky},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},

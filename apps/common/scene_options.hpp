@@ -26,8 +26,9 @@ namespace vesper {
 
 /// Where the light of the air comes from.
 enum class SkyModel {
-  tables,    ///< solved once for the medium: atmosphere/sky_tables.hpp
-  reference, ///< the Monte Carlo of atmosphere/reference_transport.hpp
+  tables,       ///< solved once for the medium: atmosphere/sky_tables.hpp
+  small_tables, ///< Hillaire's tier: atmosphere/small_sky_tables.hpp
+  reference,    ///< the Monte Carlo of atmosphere/reference_transport.hpp
 };
 
 /// What a scene is: when, where, looking at what, modelled how.

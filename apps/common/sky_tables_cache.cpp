@@ -3,6 +3,7 @@
 #include "common/progress_bar.hpp"
 
 #include "vesper/atmosphere/sky_tables_file.hpp"
+#include "vesper/atmosphere/small_sky_tables.hpp"
 #include "vesper/base/error.hpp"
 
 #include <spdlog/spdlog.h>
@@ -116,6 +117,9 @@ fs::path user_cache_folder() {
 }
 
 std::shared_ptr<const SkyTables> scene_sky_tables(const SceneOptions& scene, unsigned threads) {
+  if (scene.sky == SkyModel::small_tables) {
+    return share(make_small_sky_tables(*scene.medium));
+  }
   const auto make = [&] {
     constexpr std::size_t steps = 1000;
     ProgressBar bar("solving the light of the sky", steps);

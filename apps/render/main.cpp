@@ -89,6 +89,10 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   if (!options.catalogue.empty()) {
     own = read_star_glb(options.catalogue);
   }
+  if (scene.sky == SkyModel::reference && has(scene.layers, Layer::sky)) {
+    throw Error(ErrorKind::argument, "--sky reference is too slow for a frame",
+                {"", "", "Give --sky tables or small-tables, or ask vesper-report sky --reference for a picture"});
+  }
   const StarCatalogue& catalogue = own ? *own : default_star_catalogue();
 
   FrameOptions frame_options;

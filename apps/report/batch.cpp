@@ -132,7 +132,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
   const std::size_t rows = input.row_count();
   const bool lit = std::any_of(columns.begin(), columns.end(), [](const auto& column) { return column.of_light; });
   const std::size_t rows_per_chunk = lit && air.model() == SkyModel::reference ? 1 : quick_rows_per_chunk;
-  if (lit && air.model() == SkyModel::tables) {
+  if (lit && air.model() != SkyModel::reference) {
     static_cast<void>(air.tables()); // with a progress bar of their own
   }
 

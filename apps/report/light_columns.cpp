@@ -60,7 +60,7 @@ SourceLight reference_light(const ReportedScene& scene, std::string_view source)
   return {level.direct, level.total.mean - level.direct, reference_zenith(scene, source)};
 }
 
-bool by_tables(const ReportedScene& scene) { return scene.air.model() == SkyModel::tables; }
+bool by_tables(const ReportedScene& scene) { return scene.air.model() != SkyModel::reference; }
 
 double horizontal_illuminance_lux(const ReportedScene& scene) {
   if (by_tables(scene)) {

@@ -182,7 +182,7 @@ void report_sky(const SceneOptions& scene, const ReportOptions& options, const s
   if (request.lights.empty()) {
     spdlog::info("neither Sun nor Moon is near enough to the horizon to light the air");
   }
-  if (request.model == SkyModel::tables) {
+  if (request.model != SkyModel::reference) {
     if (crew.leads()) {
       deliver_sky(request, sky_results(request, *scene_sky_tables(scene, request.budget.threads)), options, exr);
     }

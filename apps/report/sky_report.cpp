@@ -113,7 +113,17 @@ std::vector<NamedNumber> place_of(const SkyRequest& request, const SkyPoint& poi
   return place;
 }
 
-std::string_view name_of(SkyModel model) { return model == SkyModel::tables ? "tables" : "reference"; }
+std::string_view name_of(SkyModel model) {
+  switch (model) {
+  case SkyModel::tables:
+    return "tables";
+  case SkyModel::small_tables:
+    return "small-tables";
+  case SkyModel::reference:
+    break;
+  }
+  return "reference";
+}
 
 Vec4 to_vec4(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
 

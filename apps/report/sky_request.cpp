@@ -271,7 +271,7 @@ bool lights_by_hand(const SkyOptions& options, const std::optional<CsvTable>& di
 SkyRequest sky_request(const SkyOptions& options, const BudgetOptions& budget, const SceneOptions& scene,
                        const std::optional<CsvTable>& directions, bool picture_by_output) {
   const SkyModel model = options.reference ? SkyModel::reference : scene.sky;
-  if (model == SkyModel::tables) {
+  if (model != SkyModel::reference) {
     for (const auto& [option, given] :
          {std::pair("--wavelengths", !options.wavelengths.empty()),
           std::pair("--unit-irradiance", options.unit_irradiance), std::pair("--orders", !budget.orders.empty())}) {

@@ -68,6 +68,15 @@ std::string sky_tables_fingerprint(const Medium& medium, const SkyTableSize& siz
   for (const int nodes : {size.heights, size.views_below, size.views_above, size.lights}) {
     description.add(nodes);
   }
+  const LightFieldSize& field = size.field;
+  for (const std::size_t count :
+       {field.heights, field.zeniths, field.azimuths, field.later_zeniths, field.later_azimuths}) {
+    description.add(static_cast<double>(count));
+  }
+  for (const double value :
+       {field.step_growth, field.least_step_km, field.rest, static_cast<double>(field.most_orders)}) {
+    description.add(value);
+  }
   description.add(solar_irradiance_1au().wavelengths_nm());
   description.add(solar_irradiance_1au().values());
   const double ground_km = medium.ground_radius.to(kilometre);

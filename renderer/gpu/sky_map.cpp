@@ -109,8 +109,8 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 } // namespace
 
 SkyMap::SkyMap(const ShaderLibrary& library)
-    : slice_program_(build_program(library, {"sky_slice.comp"})),
-      ground_program_(build_program(library, {"sky_ground.comp"})), map_programs_(library, {"sky_map.comp"}),
+    : slice_programs_(library, {"sky_slice.comp"}), ground_program_(build_program(library, {"sky_ground.comp"})),
+      map_programs_(library, {"sky_map.comp"}),
       map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above),
                         PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
@@ -129,17 +129,25 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
     fill_slices(tables, plan);
   }
   fill_ground(tables);
-  const ProgramHandle& program =
-      map_programs_.get(outside ? std::vector<std::string>{"OUTSIDE"} : std::vector<std::string>{});
+  const bool small = tables.tables()->small != nullptr;
+  std::vector<std::string> variant;
+  if (outside) {
+    variant.emplace_back("OUTSIDE");
+    if (small) {
+      variant.emplace_back("SMALL");
+      tables.bind_small();
+    }
+  }
+  const ProgramHandle& program = map_programs_.get(variant);
   glUseProgram(program.name());
   glBindTextureUnit(0, tables.transmittance().name());
   glBindTextureUnit(1, ground_.name());
   glBindTextureUnit(2, phase_texture_.name());
-  if (outside) {
+  if (!outside) {
+    glBindTextureUnit(3, slices_.name());
+  } else if (!small) {
     glBindTextureUnit(3, tables.other().name());
     glBindTextureUnit(4, tables.aerosol().name());
-  } else {
-    glBindTextureUnit(3, slices_.name());
   }
   glBindImageTexture(0, map_.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   glDispatchCompute(rows_below + rows_above, 1, 1);
@@ -153,13 +161,21 @@ void SkyMap::fill_slices(const SkyTextures& tables, const FramePlan& plan) {
     slices_ = make_texture(2 * static_cast<int>(most_lights) * f32::sky_azimuths, rows, PixelFormat::rgba32f);
     slice_rows_ = rows;
   }
-  glUseProgram(slice_program_.name());
+  const bool small = tables.tables()->small != nullptr;
+  const GLuint program =
+      slice_programs_.get(small ? std::vector<std::string>{"SMALL"} : std::vector<std::string>{}).name();
+  if (small) {
+    tables.bind_small();
+  }
+  glUseProgram(program);
   glBindImageTexture(0, slices_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   const int slices = 2 * static_cast<int>(std::min(plan.lights.size(), most_lights));
   for (int slice = 0; slice < slices; ++slice) {
-    glProgramUniform1i(slice_program_.name(), 0, slice / 2);
-    glProgramUniform1i(slice_program_.name(), 1, slice);
-    glBindTextureUnit(0, (slice % 2 == 0 ? tables.other() : tables.aerosol()).name());
+    glProgramUniform1i(program, 0, slice / 2);
+    glProgramUniform1i(program, 1, slice);
+    if (!small) {
+      glBindTextureUnit(0, (slice % 2 == 0 ? tables.other() : tables.aerosol()).name());
+    }
     glDispatchCompute(1, groups(rows, 8), 1);
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);

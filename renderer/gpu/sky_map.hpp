@@ -36,7 +36,7 @@ private:
   void fill_ground(const SkyTextures& tables);
   void fill_phase(const std::shared_ptr<const SkyTables>& tables, float share);
 
-  ProgramHandle slice_program_;
+  ProgramVariants slice_programs_;
   ProgramHandle ground_program_;
   ProgramVariants map_programs_;
   Texture slices_; ///< side by side: of both tables for the first light, then for the second

@@ -23,6 +23,8 @@ public:
   [[nodiscard]] const Texture& aerosol() const { return aerosol_; }
   [[nodiscard]] const Texture& transmittance() const { return transmittance_; }
   [[nodiscard]] const Texture& ground() const { return ground_; }
+  /// For small tables: binds texture units 5 to 7 and the block of shaders/small_sky_block.glsl.
+  void bind_small() const;
 
 private:
   void upload_rows(std::size_t first, std::size_t count);
@@ -33,6 +35,10 @@ private:
   Texture aerosol_;
   Texture transmittance_;
   Texture ground_;
+  Texture small_air_;
+  Texture small_transmittance_;
+  Texture small_multiple_;
+  Buffer small_block_;
 };
 
 } // namespace vesper::gpu
