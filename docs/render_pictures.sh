@@ -6,6 +6,15 @@ render=build/release/bin/vesper-render
 [[ -x $render ]] || { echo "render_pictures: no $render; build it with ./run demo" >&2; exit 1; }
 mkdir -p docs/pictures
 
+# dusk NAME OPTIONS...: Madrid, the Sun 4 degrees below the horizon.
+dusk() {
+  local name=$1
+  shift
+  "$render" --quiet --time 2026-08-12T19:34:00Z --latitude 40.4 --longitude -3.7 --height 700 --seed 1 "$@" \
+    -o "docs/pictures/$name.png"
+  echo "docs/pictures/$name.png"
+}
+
 # picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian.
 picture() {
   local name=$1
@@ -19,3 +28,4 @@ picture() {
 picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --size 1024x1024
 picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
 picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800
+dusk dusk --projection perspective --azimuth 285 --altitude 20 --fov 60 --size 1200x600
