@@ -23,15 +23,15 @@ struct NutationTerm {
 
 Nutation nutation_series(JulianDate<TT> tt) {
   const double t = centuries_since_j2000(tt);
-  Lanes longitude{};
-  Lanes obliquity{};
+  TermPair longitude{};
+  TermPair obliquity{};
   constexpr std::size_t count = std::size(nutation_terms);
   for (std::size_t first = 0; first < count; first += lane_count) {
-    Lanes phase{};
-    Lanes longitude_sin{};
-    Lanes longitude_cos{};
-    Lanes obliquity_sin{};
-    Lanes obliquity_cos{};
+    TermPair phase{};
+    TermPair longitude_sin{};
+    TermPair longitude_cos{};
+    TermPair obliquity_sin{};
+    TermPair obliquity_cos{};
     const std::size_t here = std::min(lane_count, count - first);
     for (std::size_t i = 0; i < here; ++i) {
       const NutationTerm& term = nutation_terms[first + i];

@@ -157,7 +157,7 @@ TEST(Series, SunAgreesWithAnotherTheoryOverCenturies) {
 TEST(Series, FastCosinesAgreeWithTheStandardLibrary) {
   ErrorSum errors;
   for (double angle = 1e-9; angle < 1e6; angle *= 1.00037) {
-    const Lanes angles{angle, -angle};
+    const TermPair angles{angle, -angle};
     const CosSin fast = cos_sin(angles);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
       errors.add(fast.cos[lane] - std::cos(angles[lane]));
