@@ -237,7 +237,7 @@ std::vector<std::string> upward_includes(const Sources& sources) {
 std::vector<std::string> graphics_includes(const Sources& sources) {
   std::vector<std::string> breaches;
   for (const SourceFile& source : sources) {
-    if (starts_with_any(source.path, {"renderer/gpu/", "tests/render/"})) {
+    if (starts_with_any(source.path, {"renderer/gpu/", "tests/render/", "tests/bench/"})) {
       continue;
     }
     for (const std::string& include : source.includes) {
