@@ -136,7 +136,9 @@ Bytes encode_sky_tables(const SkyTables& tables, std::string_view fingerprint) {
 
 SkyTables decode_sky_tables(std::span<const std::byte> bytes, const std::string& name, std::string_view fingerprint) {
   Header header{};
-  std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof(header)));
+  if (!bytes.empty()) {
+    std::memcpy(&header, bytes.data(), std::min(bytes.size(), sizeof(header)));
+  }
   if (header.magic != magic) {
     fail(name, byte(0), "is no file of sky tables");
   }

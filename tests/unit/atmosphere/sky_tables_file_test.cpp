@@ -57,7 +57,12 @@ TEST_F(SkyTablesFile, GivesBackEveryNumber) {
   EXPECT_EQ(read.transmittance, tables.transmittance);
   EXPECT_EQ(read.light, tables.light);
   EXPECT_EQ(read.albedo, tables.albedo);
-  EXPECT_EQ(std::memcmp(&read.frame, &tables.frame, sizeof(read.frame)), 0);
+  EXPECT_EQ(read.frame.ground_km, tables.frame.ground_km);
+  EXPECT_EQ(read.frame.top_km, tables.frame.top_km);
+  EXPECT_EQ(read.frame.heights, tables.frame.heights);
+  EXPECT_EQ(read.frame.views_below, tables.frame.views_below);
+  EXPECT_EQ(read.frame.views_above, tables.frame.views_above);
+  EXPECT_EQ(read.frame.lights, tables.frame.lights);
   EXPECT_EQ(read.transmittance_frame.altitudes, 4);
   EXPECT_EQ(read.transmittance_frame.heights, 2);
 }
@@ -93,7 +98,7 @@ TEST_F(SkyTablesFile, SaysWhatIsWrongAndWhere) {
   expect_refused(infinite, "byte 148", "numbers that no tables have");
   Bytes not_a_number = with(whole, whole.size() - 64 - 4, std::numeric_limits<float>::quiet_NaN());
   sign(not_a_number);
-  expect_refused(not_a_number, "byte " + std::to_string(whole.size() - 64 - 16 * 16), "numbers that no tables have");
+  expect_refused(not_a_number, "byte " + std::to_string(whole.size() - 64 - std::size_t{16 * 16}), "numbers that no tables have");
   Bytes of_others = with(whole, 16, 'b');
   sign(of_others);
   expect_refused(of_others, "byte 16", "another medium");
