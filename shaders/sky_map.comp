@@ -20,6 +20,11 @@ layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the ph
 #ifdef OUTSIDE
 layout(binding = 3) uniform sampler3D other_table;
 layout(binding = 4) uniform sampler3D aerosol_table;
+
+// The row of both tables between their views, at the top of the air, where all rays enter: as x of the tables.
+const int most_shared_lights = 64; // more are read from the tables
+shared vec4 other_row[most_shared_lights * sky_azimuths];
+shared vec4 aerosol_row[most_shared_lights * sky_azimuths];
 #else
 layout(binding = 3) uniform sampler2D slices; // side by side: first light's other and aerosol, second light's
 
@@ -85,7 +90,43 @@ Row row_of(int number, SkyTableFrame frame) {
   return row;
 }
 
-#ifndef OUTSIDE
+#ifdef OUTSIDE
+void share_row(Row row, SkyTableFrame frame) {
+  SkyNodes views = sky_nodes(row.view.place, row.view.rows);
+  for (int x = int(gl_LocalInvocationID.x); x < frame.lights * sky_azimuths; x += int(gl_WorkGroupSize.x)) {
+    vec4 other = vec4(0.0);
+    vec4 aerosol = vec4(0.0);
+    for (int k = 0; k < 4; ++k) {
+      ivec3 texel = ivec3(x, row.view.first_row + sky_node(views, k, row.view.rows), frame.heights - 1);
+      other += views.weights[k] * texelFetch(other_table, texel, 0);
+      aerosol += views.weights[k] * texelFetch(aerosol_table, texel, 0);
+    }
+    other_row[x] = other;
+    aerosol_row[x] = aerosol;
+  }
+}
+
+// sky_table_log2 from the rows.
+void row_log2(float light_altitude, float cos_azimuth, SkyTableFrame frame, out vec4 other, out vec4 aerosol) {
+  SkyNodes lights = sky_nodes(sky_light_place(light_altitude, frame), frame.lights);
+  other = vec4(0.0);
+  aerosol = vec4(0.0);
+  float all = 0.0;
+  for (int k = 0; k < sky_azimuths; ++k) {
+    float apart = cos_azimuth - cos(sky_half_turn * float(k) / float(sky_azimuths - 1));
+    float share = (k == 0 || k == sky_azimuths - 1 ? 0.5 : 1.0) / (abs(apart) < 1.0e-6 ? 1.0e-6 : apart);
+    share = k % 2 == 0 ? share : -share;
+    all += share;
+    for (int l = 0; l < 4; ++l) {
+      int x = k + sky_azimuths * sky_node(lights, l, frame.lights);
+      other += share * lights.weights[l] * other_row[x];
+      aerosol += share * lights.weights[l] * aerosol_row[x];
+    }
+  }
+  other /= all;
+  aerosol /= all;
+}
+#else
 vec4 series_log2(int slice, float cos_azimuth) {
   vec4 sum = vec4(0.0);
   float before = cos_azimuth; // cos((m - 1) azimuth)
@@ -121,8 +162,14 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float cos_azimuth = along * inversesqrt(max(along * along + aside * aside, 1.0e-20));
 #ifdef OUTSIDE
     float light_altitude = sky_arc_sine(dot(direction, up));
-    vec4 other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
-    vec4 aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+    vec4 other;
+    vec4 aerosol;
+    if (frame.lights <= most_shared_lights) {
+      row_log2(light_altitude, cos_azimuth, frame, other, aerosol);
+    } else {
+      other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+      aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+    }
 #else
     vec4 other = series_log2(2 * light, cos_azimuth);
     vec4 aerosol = series_log2(2 * light + 1, cos_azimuth);
@@ -146,14 +193,18 @@ void main() {
   SkyTableFrame frame = table_frame();
   int number = int(gl_WorkGroupID.x);
   Row row = row_of(number, frame);
-#ifndef OUTSIDE
+#ifdef OUTSIDE
+  if (frame.lights <= most_shared_lights) {
+    share_row(row, frame);
+  }
+#else
   int slice = int(gl_LocalInvocationID.x) / sky_azimuths;
   int m = int(gl_LocalInvocationID.x) % sky_azimuths;
   if (slice < 2 * block.light_count) {
     series[slice][m] = sky_slice_between(slices, sky_azimuths * slice, row.view, m);
   }
-  barrier();
 #endif
+  barrier();
   for (int column = int(gl_LocalInvocationID.x); column < imageSize(map).x; column += int(gl_WorkGroupSize.x)) {
     fill(ivec2(column, number), row, frame);
   }
