@@ -21,10 +21,13 @@ layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the ph
 layout(binding = 3) uniform sampler3D other_table;
 layout(binding = 4) uniform sampler3D aerosol_table;
 
-// The row of both tables between their views, at the top of the air, where all rays enter: as x of the tables.
-const int most_shared_lights = 64; // more are read from the tables
+#ifndef MANY_LIGHTS
+// The row of both tables between their views, at the top of the air, where all rays enter: as x of the tables. Tables of
+// more lights are read as they are: MANY_LIGHTS.
+const int most_shared_lights = 64; // as in renderer/gpu/sky_map.cpp
 shared vec4 other_row[most_shared_lights * sky_azimuths];
 shared vec4 aerosol_row[most_shared_lights * sky_azimuths];
+#endif
 #else
 layout(binding = 3) uniform sampler2D slices; // side by side: first light's other and aerosol, second light's
 
@@ -90,7 +93,7 @@ Row row_of(int number, SkyTableFrame frame) {
   return row;
 }
 
-#ifdef OUTSIDE
+#if defined OUTSIDE && !defined MANY_LIGHTS
 void share_row(Row row, SkyTableFrame frame) {
   SkyNodes views = sky_nodes(row.view.place, row.view.rows);
   for (int x = int(gl_LocalInvocationID.x); x < frame.lights * sky_azimuths; x += int(gl_WorkGroupSize.x)) {
@@ -126,7 +129,9 @@ void row_log2(float light_altitude, float cos_azimuth, SkyTableFrame frame, out 
   other /= all;
   aerosol /= all;
 }
-#else
+#endif
+
+#ifndef OUTSIDE
 vec4 series_log2(int slice, float cos_azimuth) {
   vec4 sum = vec4(0.0);
   float before = cos_azimuth; // cos((m - 1) azimuth)
@@ -164,12 +169,12 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float light_altitude = sky_arc_sine(dot(direction, up));
     vec4 other;
     vec4 aerosol;
-    if (frame.lights <= most_shared_lights) {
-      row_log2(light_altitude, cos_azimuth, frame, other, aerosol);
-    } else {
-      other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
-      aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
-    }
+#ifdef MANY_LIGHTS
+    other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+    aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+#else
+    row_log2(light_altitude, cos_azimuth, frame, other, aerosol);
+#endif
 #else
     vec4 other = series_log2(2 * light, cos_azimuth);
     vec4 aerosol = series_log2(2 * light + 1, cos_azimuth);
@@ -194,9 +199,9 @@ void main() {
   int number = int(gl_WorkGroupID.x);
   Row row = row_of(number, frame);
 #ifdef OUTSIDE
-  if (frame.lights <= most_shared_lights) {
-    share_row(row, frame);
-  }
+#ifndef MANY_LIGHTS
+  share_row(row, frame);
+#endif
 #else
   int slice = int(gl_LocalInvocationID.x) / sky_azimuths;
   int m = int(gl_LocalInvocationID.x) % sky_azimuths;

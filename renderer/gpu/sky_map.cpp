@@ -13,6 +13,7 @@ namespace vesper::gpu {
 namespace {
 
 constexpr std::size_t most_lights = 2;
+constexpr int most_shared_lights = 64; ///< of a table, in a group's memory: shaders/sky_map.comp
 constexpr int phase_texels = 1024;
 constexpr int ground_texels = 1024;
 
@@ -129,8 +130,14 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
     fill_slices(tables, plan);
   }
   fill_ground(tables);
-  const ProgramHandle& program =
-      map_programs_.get(outside ? std::vector<std::string>{"OUTSIDE"} : std::vector<std::string>{});
+  std::vector<std::string> variant;
+  if (outside) {
+    variant.emplace_back("OUTSIDE");
+    if (tables.tables()->frame.lights > most_shared_lights) {
+      variant.emplace_back("MANY_LIGHTS");
+    }
+  }
+  const ProgramHandle& program = map_programs_.get(variant);
   glUseProgram(program.name());
   glBindTextureUnit(0, tables.transmittance().name());
   glBindTextureUnit(1, ground_.name());

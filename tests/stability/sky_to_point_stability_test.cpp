@@ -79,7 +79,7 @@ TEST_F(SkyToPoint, NothingLiesBetweenPointsOutsideTheAir) {
 
 TEST_F(SkyToPoint, TheHorizonIsNoStepForNearPoints) {
   for (const double height : {0.5, 3.0, 11.0}) {
-    const double radius = static_cast<double>(tables.frame.ground_km);
+    const auto radius = static_cast<double>(tables.frame.ground_km);
     const double horizon_deg = -std::acos(radius / (radius + height)) * 180.0 / 3.14159265358979;
     for (const double km : {1.0, 10.0, 40.0}) {
       const SkyWay over = way(height, horizon_deg + 1.0e-3, km);
