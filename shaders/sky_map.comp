@@ -24,6 +24,14 @@ layout(binding = 2) uniform sampler1D phase; // y: logarithm to base 2 of the ph
 #elif defined(OUTSIDE)
 layout(binding = 3) uniform sampler3D other_table;
 layout(binding = 4) uniform sampler3D aerosol_table;
+
+#ifndef MANY_LIGHTS
+// The row of both tables between their views, at the top of the air, where all rays enter: as x of the tables. Tables of
+// more lights are read as they are: MANY_LIGHTS.
+const int most_shared_lights = 64; // as in renderer/gpu/sky_map.cpp
+shared vec4 other_row[most_shared_lights * sky_azimuths];
+shared vec4 aerosol_row[most_shared_lights * sky_azimuths];
+#endif
 #else
 layout(binding = 3) uniform sampler2D slices; // side by side: first light's other and aerosol, second light's
 
@@ -89,6 +97,44 @@ Row row_of(int number, SkyTableFrame frame) {
   return row;
 }
 
+#if defined(OUTSIDE) && !defined(MANY_LIGHTS) && !defined(SMALL)
+void share_row(Row row, SkyTableFrame frame) {
+  SkyNodes views = sky_nodes(row.view.place, row.view.rows);
+  for (int x = int(gl_LocalInvocationID.x); x < frame.lights * sky_azimuths; x += int(gl_WorkGroupSize.x)) {
+    vec4 other = vec4(0.0);
+    vec4 aerosol = vec4(0.0);
+    for (int k = 0; k < 4; ++k) {
+      ivec3 texel = ivec3(x, row.view.first_row + sky_node(views, k, row.view.rows), frame.heights - 1);
+      other += views.weights[k] * texelFetch(other_table, texel, 0);
+      aerosol += views.weights[k] * texelFetch(aerosol_table, texel, 0);
+    }
+    other_row[x] = other;
+    aerosol_row[x] = aerosol;
+  }
+}
+
+// sky_table_log2 from the rows.
+void row_log2(float light_altitude, float cos_azimuth, SkyTableFrame frame, out vec4 other, out vec4 aerosol) {
+  SkyNodes lights = sky_nodes(sky_light_place(light_altitude, frame), frame.lights);
+  other = vec4(0.0);
+  aerosol = vec4(0.0);
+  float all = 0.0;
+  for (int k = 0; k < sky_azimuths; ++k) {
+    float apart = cos_azimuth - cos(sky_half_turn * float(k) / float(sky_azimuths - 1));
+    float share = (k == 0 || k == sky_azimuths - 1 ? 0.5 : 1.0) / (abs(apart) < 1.0e-6 ? 1.0e-6 : apart);
+    share = k % 2 == 0 ? share : -share;
+    all += share;
+    for (int l = 0; l < 4; ++l) {
+      int x = k + sky_azimuths * sky_node(lights, l, frame.lights);
+      other += share * lights.weights[l] * other_row[x];
+      aerosol += share * lights.weights[l] * aerosol_row[x];
+    }
+  }
+  other /= all;
+  aerosol /= all;
+}
+#endif
+
 #ifndef OUTSIDE
 vec4 series_log2(int slice, float cos_azimuth) {
   vec4 sum = vec4(0.0);
@@ -125,13 +171,15 @@ void fill(ivec2 texel, Row row, SkyTableFrame frame) {
     float cos_azimuth = along * inversesqrt(max(along * along + aside * aside, 1.0e-20));
 #ifdef OUTSIDE
     float light_altitude = sky_arc_sine(dot(direction, up));
-#ifdef SMALL
     vec4 other;
     vec4 aerosol;
+#ifdef SMALL
     small_sky_log2(row.height_km, row.altitude_rad, row.below, light_altitude, cos_azimuth, row.path_share, other, aerosol);
+#elif defined(MANY_LIGHTS)
+    other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+    aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
 #else
-    vec4 other = sky_table_log2(other_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
-    vec4 aerosol = sky_table_log2(aerosol_table, row.height_km, row.view, light_altitude, cos_azimuth, frame);
+    row_log2(light_altitude, cos_azimuth, frame, other, aerosol);
 #endif
 #else
     vec4 other = series_log2(2 * light, cos_azimuth);
@@ -156,14 +204,18 @@ void main() {
   SkyTableFrame frame = table_frame();
   int number = int(gl_WorkGroupID.x);
   Row row = row_of(number, frame);
-#ifndef OUTSIDE
+#ifdef OUTSIDE
+#if !defined(MANY_LIGHTS) && !defined(SMALL)
+  share_row(row, frame);
+#endif
+#else
   int slice = int(gl_LocalInvocationID.x) / sky_azimuths;
   int m = int(gl_LocalInvocationID.x) % sky_azimuths;
   if (slice < 2 * block.light_count) {
     series[slice][m] = sky_slice_between(slices, sky_azimuths * slice, row.view, m);
   }
-  barrier();
 #endif
+  barrier();
   for (int column = int(gl_LocalInvocationID.x); column < imageSize(map).x; column += int(gl_WorkGroupSize.x)) {
     fill(ivec2(column, number), row, frame);
   }

@@ -67,9 +67,9 @@ std::string apply_longitude(std::string_view text, SceneOptions& scene) {
 }
 
 std::string apply_height(std::string_view text, SceneOptions& scene) {
-  const auto value = number_within(text, -500.0, 1.0e8);
+  const auto value = number_within(text, lowest_height_m, highest_height_m);
   if (!value) {
-    return "-500 to 100000000 metres above the ellipsoid";
+    return fmt::format("{:.0f} to {:.0f} metres above the ellipsoid", lowest_height_m, highest_height_m);
   }
   scene.observer.height = *value * metre;
   scene.height_given = true;

@@ -31,6 +31,10 @@ enum class SkyModel {
   reference,    ///< the Monte Carlo of atmosphere/reference_transport.hpp
 };
 
+/// Heights above the ellipsoid that a scene may have, in metres.
+inline constexpr double lowest_height_m = -500.0;
+inline constexpr double highest_height_m = 1.0e8;
+
 /// What a scene is: when, where, looking at what, modelled how.
 struct SceneOptions {
   Instant instant;

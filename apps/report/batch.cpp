@@ -97,7 +97,7 @@ Observer observer_of_row(const CsvTable& input, std::size_t row, const InputColu
     observer.longitude = input.number(row, *columns.longitude, -180.0, 360.0) * deg;
   }
   if (columns.height) {
-    observer.height = input.number(row, *columns.height, -500.0, 100000.0) * metre;
+    observer.height = input.number(row, *columns.height, lowest_height_m, highest_height_m) * metre;
   }
   return observer;
 }

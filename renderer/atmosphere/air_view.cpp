@@ -20,6 +20,7 @@ std::optional<AirView> view_in_air(const SkyQuery& query, double ground_km, doub
   const double observer_km = query.height.to(kilometre);
   Vec3 place{0.0, 0.0, ground_km + observer_km};
   double height = observer_km;
+  double distance = 0.0;
   if (place.z > top_km) {
     const double along = place.z * view.z;
     const double outside = (place.z - top_km) * (place.z + top_km);
@@ -27,14 +28,16 @@ std::optional<AirView> view_in_air(const SkyQuery& query, double ground_km, doub
     if (along >= 0.0 || under_root <= 0.0) {
       return std::nullopt;
     }
-    place += view * (outside / (std::sqrt(under_root) - along));
+    distance = outside / (std::sqrt(under_root) - along);
+    place += view * distance;
     height = top_km - ground_km;
   }
   const Vec3 up = glm::normalize(place);
   const Vec3 view_level = view - glm::dot(view, up) * up;
   const Vec3 light_level = light - glm::dot(light, up) * up;
   const double level = glm::length(view_level) * glm::length(light_level);
-  AirView result{height, altitude_of(view, up), altitude_of(light, up), 1.0, glm::dot(view, light), false, 0.0};
+  AirView result{height,  altitude_of(view, up), altitude_of(light, up), 1.0, glm::dot(view, light), false, 0.0,
+                 distance};
   if (level > 1.0e-9) {
     result.cos_azimuth = std::clamp(glm::dot(view_level, light_level) / level, -1.0, 1.0);
   }

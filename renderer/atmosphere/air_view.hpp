@@ -16,6 +16,7 @@ struct AirView {
   double cos_angle;          ///< of the angle between view and light
   bool meets_ground;
   double ground_light_rad; ///< altitude of the light where the view meets the ground
+  double distance_km;      ///< of that place from the observer, 0 inside the air
 };
 
 /// None for a view that passes the air by. Throws Error(argument) for a query out of its range.

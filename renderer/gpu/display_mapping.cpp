@@ -18,10 +18,11 @@ PlainExposure::PlainExposure(const ShaderLibrary& library, Luminance white)
   }
 }
 
-void PlainExposure::map(const Texture& frame, const Texture& pixels, int width, int height) {
+void PlainExposure::map(const Texture& frame, const Texture& pixels, int width, int height, int first_row) {
   constexpr GLuint group = 16;
   const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
   glProgramUniform1f(program_.name(), 0, static_cast<float>(white_.to(candela_per_m2)));
+  glProgramUniform1i(program_.name(), 1, first_row);
   glUseProgram(program_.name());
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
   glBindImageTexture(0, frame.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);

@@ -19,16 +19,17 @@ public:
   virtual ~DisplayMapping() = default;
 
   /// Fills `pixels` (rgba8, sRGB code values) from `frame` (rgba32f: X, Y, Z in cd/m2 and S), both width x height.
-  virtual void map(const Texture& frame, const Texture& pixels, int width, int height) = 0;
+  /// \param first_row of the picture that they hold
+  virtual void map(const Texture& frame, const Texture& pixels, int width, int height, int first_row) = 0;
 };
 
-/// One luminance becomes the display's white; brighter colours keep their hue.
+/// One luminance becomes the display's white; brighter colours keep their hue. Code values are dithered.
 class PlainExposure : public DisplayMapping {
 public:
   /// \param white luminance that becomes code value 255 for a neutral colour, > 0
   PlainExposure(const ShaderLibrary& library, Luminance white);
 
-  void map(const Texture& frame, const Texture& pixels, int width, int height) override;
+  void map(const Texture& frame, const Texture& pixels, int width, int height, int first_row) override;
 
 private:
   ProgramHandle program_;

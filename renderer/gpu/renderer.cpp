@@ -99,7 +99,8 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     glViewport(0, 0, view.width, strip.rows);
     graph.run(strip, timings);
     if (outputs.mapping != nullptr) {
-      timed("display", timings, [&] { outputs.mapping->map(on.frame, on.pixels, view.width, strip.rows); });
+      timed("display", timings,
+            [&] { outputs.mapping->map(on.frame, on.pixels, view.width, strip.rows, strip.first_row); });
     }
     timed("read back", timings, [&] {
       if (outputs.xyzs) {

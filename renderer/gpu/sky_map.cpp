@@ -13,6 +13,7 @@ namespace vesper::gpu {
 namespace {
 
 constexpr std::size_t most_lights = 2;
+constexpr int most_shared_lights = 64; ///< of a table, in a group's memory: shaders/sky_map.comp
 constexpr int phase_texels = 1024;
 constexpr int ground_texels = 1024;
 
@@ -136,6 +137,8 @@ void SkyMap::fill(const SkyTextures& tables, const FramePlan& plan, Length heigh
     if (small) {
       variant.emplace_back("SMALL");
       tables.bind_small();
+    } else if (tables.tables()->frame.lights > most_shared_lights) {
+      variant.emplace_back("MANY_LIGHTS");
     }
   }
   const ProgramHandle& program = map_programs_.get(variant);

@@ -7,6 +7,7 @@
 #include "vesper/shaders/lib/extinction.glsl"
 #include "vesper/shaders/lib/phase.glsl"
 #include "vesper/shaders/lib/sky_table.glsl"
+#include "vesper/shaders/lib/sky_to_point.glsl"
 #include "vesper/shaders/lib/small_sky.glsl"
 #include "vesper/shaders/lib/sky_map.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"

@@ -28,3 +28,15 @@ FN vec3 plain_exposure(vec3 xyz, Real white_cd_m2) {
   vec3 linear = fit_to_display(srgb_from_xyz(xyz / white_cd_m2));
   return vec3(srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z));
 }
+
+// A code value, 0 to 1, with noise before its quantisation, so that no contour shows and the mean is kept: triangular over
+// -1 to 1 steps (Lipshitz, Wannamaker and Vanderkooy 1992, J. Audio Eng. Soc. 40, 355), and within half a step of black
+// and white as much narrower as keeps it from being cut there. Black and white themselves stay.
+// column, row: of the pixel in the picture. steps: between black and white.
+FN Real dithered(Real code, uint column, uint row, uint channel, Real steps) {
+  uint key = hash_pair(column, hash_pair(row, channel));
+  Real room = min(code, Real(1.0) - code) * steps;
+  Real noise = Real(0.9999) * (hash_unit(key) - Real(0.5)) +
+               clamp(Real(2.0) * room, Real(0.0), Real(1.0)) * (hash_unit(hash_uint(key)) - Real(0.5));
+  return code + noise / steps;
+}

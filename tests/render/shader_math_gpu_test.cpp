@@ -40,6 +40,8 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/eclipse.glsl"
 #include "lib/display.glsl"
 #include "lib/phase.glsl"
+#include "lib/sky_table.glsl"
+#include "lib/sky_to_point.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler1D table; // of refraction
 layout(binding = 1) uniform sampler2D extinction_table;

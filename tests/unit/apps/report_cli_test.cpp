@@ -120,6 +120,16 @@ TEST_F(ReportCli, BatchTakesJulianDates) {
   EXPECT_NE(result.out.find("jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n"), std::string::npos);
 }
 
+TEST_F(ReportCli, BatchTakesTheHeightsThatTheOptionTakes) {
+  const std::string at =
+      "--columns sun_azimuth_deg,sun_altitude_deg --time 2026-08-12T22:00:00Z --latitude 50 --longitude 10";
+  const std::string in = write("in.csv", "utc,height_m\n2026-08-12T22:00:00Z,100000000\n");
+  const CsvTable rows = table_of(run(at + " --batch " + in));
+  const json scene =
+      json::parse(run("--json --time 2026-08-12T22:00:00Z --latitude 50 --longitude 10 --height 1e8").out);
+  EXPECT_EQ(rows.number(0, rows.column("sun_altitude_deg")), scene.at("sun_altitude_deg").get<double>());
+}
+
 TEST_F(ReportCli, BatchSaysWhatItsFarthestDateStrains) {
   const std::string in = write("in.csv", "jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2451545,1,2,3\n"
                                          "10000,9999,1,2,3\n2400000,2400000,1,2,3\n");
@@ -144,6 +154,7 @@ TEST_F(ReportCli, BatchFaultsNameLineAndColumnAndWriteNothing) {
                 "line 3, column latitude_deg: '91' is not in -90 to 90"},
            Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,,3\n", "line 2, column longitude_deg"},
            Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-32,1,2,3\n", "line 2, column utc"},
+           Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2,1e9\n", "line 2, column height_m"},
            Case{"utc,latitude_deg,longitude_deg,height_m\n2026-08-12,1,2\n", "line 2: 3 fields"},
            Case{"jd_tt,jd_ut1,latitude_deg,longitude_deg,height_m\n2451545,2441545,1,2,3\n", "line 2, column jd_ut1"},
            Case{"utc,latitude_deg,longitude_deg,height_m,sun_azimuth_deg\n2026-08-12,1,2,3,4\n",
