@@ -42,41 +42,53 @@ std::vector<f32::vec4> aerosol_phase_table(const SampledAir& air, const Spectral
   return table;
 }
 
+/// A table by height and direction. \param texel from the height in km and the column, called from several threads
+std::vector<f32::vec4> table_by_height(const SampledAir& air, unsigned threads,
+                                       const std::function<f32::vec4(double, int)>& texel) {
+  constexpr auto columns = static_cast<std::size_t>(sky_transmittance_nodes.altitudes);
+  constexpr auto rows = static_cast<std::size_t>(sky_transmittance_nodes.heights);
+  std::vector<f32::vec4> table(columns * rows);
+  parallel_for(
+      rows, 1,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
+          for (std::size_t column = 0; column < columns; ++column) {
+            table[row * columns + column] =
+                texel((air.top_km() - air.ground_km()) * share * share, static_cast<int>(column));
+          }
+        }
+      },
+      threads);
+  return table;
+}
+
+double dip_rad(double height_km, double ground_km) {
+  return std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
+}
+
 /// The table of sky_ground_view_log2: the same texels of the air between an observer and the ground, over the way in
 /// km.
 std::vector<f32::vec4> ground_view_table(const SampledAir& air,
                                          const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
                                          unsigned threads) {
-  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
-  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
-  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
-  const double ground_km = air.ground_km();
-  std::vector<f32::vec4> table(columns * rows);
-  parallel_for(
-      rows, 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin * columns; k < end * columns; ++k) {
-          const std::size_t row = k / columns;
-          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
-          // At the ground itself the way has no length.
-          constexpr double least_km = 1.0e-3;
-          const double height_km = std::max((air.top_km() - ground_km) * share * share, least_km);
-          const double dip = std::atan2(std::sqrt(height_km * (2.0 * ground_km + height_km)), ground_km);
-          const auto altitude = static_cast<double>(
-              f32::sky_ground_view_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
-          // The horizon itself counts as ground.
-          constexpr double aside_rad = 2.0e-6;
-          const AirRay ray = air.ray(ground_km + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
-          SampledAir::PerComponent sum{};
-          air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
-            air.add_columns(ray, from, to, sum);
-            return true;
-          });
-          table[k] = texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
-        }
-      },
-      threads);
-  return table;
+  return table_by_height(air, threads, [&](double height, int column) {
+    // At the ground itself the way has no length.
+    constexpr double least_km = 1.0e-3;
+    const double height_km = std::max(height, least_km);
+    const double dip = dip_rad(height_km, air.ground_km());
+    const auto altitude =
+        static_cast<double>(f32::sky_ground_view_node_rad(column, static_cast<float>(dip), sky_transmittance_nodes));
+    // The horizon itself counts as ground.
+    constexpr double aside_rad = 2.0e-6;
+    const AirRay ray = air.ray(air.ground_km() + height_km, std::sin(std::min(altitude, -dip - aside_rad)));
+    SampledAir::PerComponent sum{};
+    air.for_each_cell(ray, SampledAir::longest_cell_km, [&](double from, double to) {
+      air.add_columns(ray, from, to, sum);
+      return true;
+    });
+    return texel(sum) / static_cast<float>(ray.end_km - ray.begin_km);
+  });
 }
 
 } // namespace
@@ -94,32 +106,18 @@ SunlitAir::SunlitAir(const Medium& medium, std::size_t most_wavelengths)
 std::vector<f32::vec4> transmittance_table(const SampledAir& air,
                                            const std::function<f32::vec4(const SampledAir::PerComponent&)>& texel,
                                            unsigned threads) {
-  constexpr f32::SkyTransmittanceFrame nodes = sky_transmittance_nodes;
-  constexpr auto columns = static_cast<std::size_t>(nodes.altitudes);
-  constexpr auto rows = static_cast<std::size_t>(nodes.heights);
-  const double ground_km = air.ground_km();
-  std::vector<f32::vec4> table(columns * rows);
-  parallel_for(
-      rows, 1,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin * columns; k < end * columns; ++k) {
-          const std::size_t row = k / columns;
-          const double share = static_cast<double>(row) / static_cast<double>(rows - 1);
-          const double height_km = (air.top_km() - ground_km) * share * share;
-          const double dip = std::acos(ground_km / (ground_km + height_km));
-          const auto altitude = static_cast<double>(
-              f32::sky_transmittance_node_rad(static_cast<int>(k % columns), static_cast<float>(dip), nodes));
-          // The horizon itself counts as free of the ground.
-          constexpr double aside_rad = 2.0e-5;
-          AirRay ray = air.ray(ground_km + height_km, std::sin(altitude));
-          if (ray.meets_ground) {
-            ray = air.ray(ground_km + height_km, std::sin(altitude + aside_rad));
-          }
-          table[k] = texel(air.columns_to_space(ray, [](const auto&) { return false; }));
-        }
-      },
-      threads);
-  return table;
+  return table_by_height(air, threads, [&](double height_km, int column) {
+    const double radius_km = air.ground_km() + height_km;
+    const auto dip = static_cast<float>(dip_rad(height_km, air.ground_km()));
+    const auto altitude = static_cast<double>(f32::sky_transmittance_node_rad(column, dip, sky_transmittance_nodes));
+    // The horizon itself counts as free of the ground.
+    constexpr double aside_rad = 2.0e-5;
+    AirRay ray = air.ray(radius_km, std::sin(altitude));
+    if (ray.meets_ground) {
+      ray = air.ray(radius_km, std::sin(altitude + aside_rad));
+    }
+    return texel(air.columns_to_space(ray, [](const auto&) { return false; }));
+  });
 }
 
 SkyTables tables_without_light(const SunlitAir& sunlit, const SkyTableSize& size, unsigned threads) {

@@ -9,6 +9,7 @@
 #include "vesper/light/sunlight.hpp"
 
 #include "support/known_tables.hpp"
+#include "support/measured_light.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -132,6 +133,37 @@ TEST(LevelIlluminance, AgainstTheReference) {
       moon_errors[lowest].hold(c.name + ": illuminance by the full Moon against the reference" + down, limit, "%");
     }
   }
+}
+
+// Another day's air than ours: the limits are those of the reference transport's own test.
+TEST(LevelIlluminance, AgainstTheCircularsFit) {
+  const SkyTables& tables = cases()[0].tables;
+  const CsvTable table = test::atmosphere_table("illuminance_clear_sky.csv");
+  test::ErrorSum day;
+  test::ErrorSum civil;
+  test::ErrorSum nautical;
+  test::ErrorSum moon;
+  const Spectrum& sunlight = solar_irradiance_1au();
+  const Spectrum moonlight = moon_irradiance(0.0 * deg, moon_mean_distance, astronomical_unit);
+  const Mat4 moon_from_sun = integrate_xyzs(moonlight).y * response_matrix(sunlight, moonlight);
+  for (std::size_t i = 0; i < table.row_count(); ++i) {
+    const test::TruthRow row(table, i);
+    const double altitude = row.number("apparent_altitude_deg");
+    const Angle airless = test::airless_altitude_deg(altitude) * deg;
+    const Vec4 of_sunlight = to_vec4(direct_illuminance(tables, 0.0 * metre, airless, mean_light_radius)) +
+                             to_vec4(diffuse_illuminance(tables, 0.0 * metre, airless));
+    (altitude >= 0.0    ? day
+     : altitude >= -8.0 ? civil
+                        : nautical)
+        .add(std::log10(integrate_xyzs(sunlight).y * of_sunlight.y / row.number("sun_lux")));
+    if (altitude > 5.0) {
+      moon.add(std::log10((moon_from_sun * of_sunlight).y / row.number("full_moon_lux")));
+    }
+  }
+  day.hold("illuminance by the tables against the Circular's fit, Sun above 0 degrees", std::log10(1.4), "dex");
+  civil.hold("illuminance by the tables against the Circular's fit, 0 to -8 degrees", std::log10(2.5), "dex");
+  nautical.hold("illuminance by the tables against the Circular's fit, -8 to -12 degrees", std::log10(4.5), "dex");
+  moon.hold("illuminance by the tables and the full Moon against the Circular's fit", std::log10(1.4), "dex");
 }
 
 } // namespace

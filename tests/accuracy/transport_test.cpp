@@ -7,6 +7,7 @@
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
 
+#include "support/measured_light.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -28,11 +29,6 @@ using std::numbers::pi;
 
 constexpr double published_wavelengths[] = {440.0, 550.0, 680.0};
 
-CsvTable atmosphere_table(const std::string& name) {
-  const std::string path = std::string(VESPER_TEST_DATA) + "/atmosphere/" + name;
-  return {read_file(path), path};
-}
-
 Vec3 at_altitude(double altitude_deg, double azimuth_from_light_deg = 0.0) {
   return test::direction(azimuth_from_light_deg * deg, altitude_deg * deg);
 }
@@ -48,7 +44,7 @@ const ReferenceTransport& clear_transport() {
 }
 
 TEST(ReferenceTransport, ZenithRadianceOfThePublishedMedium) {
-  const CsvTable table = atmosphere_table("sky_zenith_radiance.csv");
+  const CsvTable table = test::atmosphere_table("sky_zenith_radiance.csv");
   struct Row {
     double nm, total, standard_error;
   };
@@ -158,17 +154,8 @@ TEST(ReferenceTransport, ConservativeAirReturnsWhatItReceives) {
   sum.hold("conservative air between lights all around: light received", 0.3, "%");
 }
 
-/// Where a body stands without air that is seen at an altitude from 0 up: Bennett 1982 (J. Navig. 35, 255, eq. G). Bent
-/// rays give a level surface what straight ones from there give it, because what falls on the air above it is the same.
-double airless_altitude_deg(double apparent_deg) {
-  if (apparent_deg < 0.0) {
-    return apparent_deg;
-  }
-  return apparent_deg - 1.0 / (60.0 * std::tan((apparent_deg + 7.31 / (apparent_deg + 4.4)) * pi / 180.0));
-}
-
 TEST(ReferenceTransport, IlluminanceUnderClearSky) {
-  const CsvTable table = atmosphere_table("illuminance_clear_sky.csv");
+  const CsvTable table = test::atmosphere_table("illuminance_clear_sky.csv");
   const std::vector<double> wavelengths = clear_transport().wavelengths_nm();
   const SpectralFunctional sun = spectral_weights(solar_irradiance_1au(), wavelengths).y;
   const SpectralFunctional full_moon =
@@ -185,7 +172,7 @@ TEST(ReferenceTransport, IlluminanceUnderClearSky) {
     const test::TruthRow row(table, i);
     const double altitude = row.number("apparent_altitude_deg");
     budget.relative_error = altitude > 0.0 ? 0.01 : 0.03;
-    const SkyQuery query{0.0 * metre, at_altitude(airless_altitude_deg(altitude)), 0.2666 * deg, {0.0, 0.0, 1.0}};
+    const SkyQuery query{0.0 * metre, at_altitude(test::airless_altitude_deg(altitude)), 0.2666 * deg, {0.0, 0.0, 1.0}};
     const TransportResult diffuse = clear_transport().diffuse_irradiance(query, {sun, full_moon, quarter_moon}, budget);
     const std::vector<double> direct = clear_transport().direct_irradiance(query);
     const auto lux_of = [&](std::size_t k, const SpectralFunctional& light) {
