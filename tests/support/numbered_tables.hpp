@@ -18,7 +18,7 @@ inline SkyTables numbered_tables() {
       texels.emplace_back(number, number + 0.01F, number + 0.02F, number + 0.03F);
     }
   };
-  constexpr auto scattering = std::size_t{2 * 5 * 2} * f32::sky_azimuths;
+  constexpr auto scattering = std::size_t{2} * 5 * 2 * f32::sky_azimuths;
   fill(tables.aerosol, scattering);
   fill(tables.other, scattering);
   fill(tables.ground, 2);

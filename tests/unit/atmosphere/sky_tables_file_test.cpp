@@ -98,7 +98,7 @@ TEST_F(SkyTablesFile, SaysWhatIsWrongAndWhere) {
   expect_refused(infinite, "byte 148", "numbers that no tables have");
   Bytes not_a_number = with(whole, whole.size() - 64 - 4, std::numeric_limits<float>::quiet_NaN());
   sign(not_a_number);
-  expect_refused(not_a_number, "byte " + std::to_string(whole.size() - 64 - std::size_t{16 * 16}),
+  expect_refused(not_a_number, "byte " + std::to_string(whole.size() - 64 - std::size_t{16} * 16),
                  "numbers that no tables have");
   Bytes of_others = with(whole, 16, 'b');
   sign(of_others);
