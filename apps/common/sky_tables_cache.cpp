@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_files = 20; // about 18 MiB each
+constexpr std::size_t most_files = 20; // about 12 MiB each
 
 /// Holds a folder for one process at a time, as far as the system lets it: without the lock, work may be done twice.
 class FolderLock {

@@ -20,11 +20,6 @@ constexpr std::size_t altitude_nodes = 20; // between the horizon and the light,
 
 Vec3 at_altitude(Angle altitude) { return {std::cos(altitude.to(rad)), 0.0, std::sin(altitude.to(rad))}; }
 
-Xyzs to_xyzs(const f32::vec4& sum) {
-  return {static_cast<double>(sum.x), static_cast<double>(sum.y), static_cast<double>(sum.z),
-          static_cast<double>(sum.w)};
-}
-
 /// A place of the quadrature over half a turn of azimuth, crowded at the light's where aerosol makes a peak.
 struct AzimuthNode {
   float cosine;
@@ -68,12 +63,9 @@ std::vector<QuadratureNode> altitude_rule(double light_rad) {
 const std::array<std::array<float, azimuths>, azimuths>& series_weights() {
   static const auto made = [] {
     std::array<std::array<float, azimuths>, azimuths> weights{};
-    constexpr int last = azimuths - 1;
     for (int k = 0; k < azimuths; ++k) {
       for (int m = 0; m < azimuths; ++m) {
-        const double ends = (k == 0 || k == last ? 0.5 : 1.0) * (m == 0 || m == last ? 1.0 : 2.0);
-        weights[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] =
-            static_cast<float>(ends / last * std::cos(pi * m * k / last));
+        weights[static_cast<std::size_t>(k)][static_cast<std::size_t>(m)] = f32::sky_series_weight(m, k);
       }
     }
     return weights;
@@ -116,26 +108,41 @@ private:
   std::vector<Series> rows_;
 };
 
-/// The slice of large tables.
-Slice slice_of(const SkyTables& tables, const std::vector<f32::vec4>& table, float height_km, float light_rad) {
+struct Slices {
+  Slice other;
+  Slice aerosol;
+};
+
+Slices slices_of_large(const SkyTables& tables, float height_km, float light_rad) {
   const f32::SkyTableFrame& frame = tables.frame;
-  const f32::sampler3D texels = sampler(tables, table);
   const f32::SkyNodes heights = f32::sky_nodes(f32::sky_height_place(height_km, frame), frame.heights);
   const f32::SkyNodes lights = f32::sky_nodes(f32::sky_light_place(light_rad, frame), frame.lights);
-  return {frame.views_above, [&](int row, int k) {
-            return f32::sky_table_between(texels, heights, lights, frame.views_below + row, k, frame);
-          }};
+  const auto slice = [&](const std::vector<f32::vec4>& table) {
+    const f32::sampler3D texels = sampler(tables, table);
+    return Slice(frame.views_above, [&](int row, int k) {
+      return f32::sky_table_between(texels, heights, lights, frame.views_below + row, k, frame);
+    });
+  };
+  return {slice(tables.other), slice(tables.aerosol)};
 }
 
-/// The slice that small tables make of a part of the light.
-Slice slice_of(const SkyTables& tables, f32::vec4 SkySources::*part, float height_km, float light_rad) {
+Slices slices_of_small(const SkyTables& tables, float height_km, float light_rad) {
   const f32::SkyTableFrame& frame = tables.frame;
   const float dip = f32::sky_dip(height_km, frame);
-  return {frame.views_above, [&](int row, int k) {
-            const float altitude = f32::sky_node_altitude_rad(frame.views_below + row, dip, frame);
-            const auto cosine = static_cast<float>(std::cos(pi * k / (azimuths - 1)));
-            return log2_of(sky_sources(tables, height_km, altitude, false, light_rad, cosine).*part, sky_darkest_log2);
-          }};
+  std::vector<SkySources> nodes;
+  for (int row = 0; row < frame.views_above; ++row) {
+    const float altitude = f32::sky_node_altitude_rad(frame.views_below + row, dip, frame);
+    for (int k = 0; k < azimuths; ++k) {
+      const auto cosine = static_cast<float>(std::cos(pi * k / (azimuths - 1)));
+      nodes.push_back(sky_sources(tables, height_km, altitude, false, light_rad, cosine));
+    }
+  }
+  const auto slice = [&](f32::vec4 SkySources::*part) {
+    return Slice(frame.views_above, [&](int row, int k) {
+      return log2_of(nodes[static_cast<std::size_t>(row * azimuths + k)].*part, sky_darkest_log2);
+    });
+  };
+  return {slice(&SkySources::other), slice(&SkySources::aerosol)};
 }
 
 f32::vec4 exp2_of(const Slice::Series& series, const AzimuthNode& azimuth) {
@@ -176,18 +183,16 @@ Xyzs diffuse_illuminance(const SkyTables& tables, Length height, Angle light_alt
     return {};
   }
   const auto light = static_cast<float>(light_altitude.to(rad));
-  const Slice other = tables.small ? slice_of(tables, &SkySources::other, height_km, light)
-                                   : slice_of(tables, tables.other, height_km, light);
-  const Slice aerosol = tables.small ? slice_of(tables, &SkySources::aerosol, height_km, light)
-                                     : slice_of(tables, tables.aerosol, height_km, light);
+  const Slices slices =
+      tables.small ? slices_of_small(tables, height_km, light) : slices_of_large(tables, height_km, light);
   const float dip = f32::sky_dip(height_km, frame);
   const f32::sampler1D phases = line_sampler(tables.phase);
   f32::vec4 sum(0.0F);
   for (const QuadratureNode& ring : altitude_rule(light_altitude.to(rad))) {
     const auto altitude = static_cast<float>(ring.place);
     const f32::SkyViewPlace view = f32::sky_view_place(altitude, dip, false, frame);
-    const Slice::Series other_series = other.at(view);
-    const Slice::Series aerosol_series = aerosol.at(view);
+    const Slice::Series other_series = slices.other.at(view);
+    const Slice::Series aerosol_series = slices.aerosol.at(view);
     const float level = std::cos(altitude) * std::cos(light);
     const float upright = std::sin(altitude) * std::sin(light);
     f32::vec4 around(0.0F);

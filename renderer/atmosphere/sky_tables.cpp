@@ -23,11 +23,16 @@ f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels) {
   return {texels.data(), static_cast<int>(texels.size())};
 }
 
+Xyzs to_xyzs(const f32::vec4& light) {
+  return {static_cast<double>(light.x), static_cast<double>(light.y), static_cast<double>(light.z),
+          static_cast<double>(light.w)};
+}
+
 SkySources sky_sources(const SkyTables& tables, float height_km, float altitude_rad, bool meets_ground,
                        float light_altitude_rad, float azimuth_cos) {
   const f32::SkyTableFrame& frame = tables.frame;
   if (tables.small) {
-    const SmallSkyLight light =
+    const f32::SmallSkyLight light =
         small_sky_light(*tables.small, height_km, altitude_rad, meets_ground, light_altitude_rad, azimuth_cos);
     const float share = std::max(f32::sky_path_share(height_km, altitude_rad, meets_ground, frame), 1.0e-20F);
     return {light.aerosol / share, light.other / share};
@@ -65,8 +70,7 @@ Xyzs sky_luminance(const SkyTables& tables, const SkyQuery& query) {
                                                                  tables.transmittance_frame, frame));
     sum += tables.albedo * illuminance * passed / std::numbers::pi_v<float>;
   }
-  return {static_cast<double>(sum.x), static_cast<double>(sum.y), static_cast<double>(sum.z),
-          static_cast<double>(sum.w)};
+  return to_xyzs(sum);
 }
 
 } // namespace vesper

@@ -45,6 +45,9 @@ struct SkyTables {
 [[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
 [[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
 
+/// What the functions of sky_table.glsl give, as it is handed out.
+[[nodiscard]] Xyzs to_xyzs(const f32::vec4& light);
+
 /// Told from one thread at a time what share of the work is done, 0 to 1. What it throws ends the work.
 using Progress = std::function<void(double share)>;
 

@@ -11,10 +11,6 @@
 namespace vesper {
 namespace {
 
-Xyzs to_xyzs(const f32::vec4& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z), static_cast<double>(v.w)};
-}
-
 /// The light's direction as it lies to a view: along the view's level direction, aside and up.
 f32::vec3 to_light(const AirView& view) {
   const double level = std::cos(view.light_altitude_rad);
@@ -29,6 +25,9 @@ SkyWay sky_way(const SkyTables& tables, const SkyQuery& query, Length distance) 
   const double distance_km = distance.to(kilometre);
   if (!(distance_km >= 0.0)) {
     throw Error(ErrorKind::argument, "a distance below zero, or none", {"", "", "Give 0 km or more"});
+  }
+  if (tables.small) {
+    throw Error(ErrorKind::argument, "light on the way to a point from small tables", {"", "", "Give large ones"});
   }
   const f32::SkyTableFrame& frame = tables.frame;
   const std::optional<AirView> seen =

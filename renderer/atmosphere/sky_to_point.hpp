@@ -19,7 +19,8 @@ struct SkyWay {
 /// come to the solved light stands in docs/ACCURACY.md, sky to a point.
 /// \param query observer, light and the object's direction along straight rays; observers outside the air too
 /// \param distance of the object, >= 0, infinity included; behind the ground's surface as at it
-/// Throws Error(argument) for a query out of its range (sky_query.hpp) and for a distance below zero or none.
+/// Throws Error(argument) for a query out of its range (sky_query.hpp), for a distance below zero or none, and for
+/// tables that hold small ones.
 [[nodiscard]] SkyWay sky_way(const SkyTables& tables, const SkyQuery& query, Length distance);
 
 } // namespace vesper

@@ -109,8 +109,8 @@ SkyTables make_small_sky_tables(const Medium& medium) {
   return tables;
 }
 
-SmallSkyLight small_sky_light(const SmallSkyTables& tables, float height_km, float altitude_rad, bool meets_ground,
-                              float light_altitude_rad, float azimuth_cos) {
+f32::SmallSkyLight small_sky_light(const SmallSkyTables& tables, float height_km, float altitude_rad, bool meets_ground,
+                                   float light_altitude_rad, float azimuth_cos) {
   const f32::SmallSkyRay ray = f32::small_sky_ray(height_km, std::sin(altitude_rad), meets_ground, tables.frame);
   const float sin_light = std::sin(light_altitude_rad);
   const float cos_angle =

@@ -27,12 +27,8 @@ struct SmallSkyTables {
 /// Throws Error(argument) for a medium out of its range.
 [[nodiscard]] SkyTables make_small_sky_tables(const Medium& medium);
 
-/// Luminance of the air above 1 lux of sunlight along a view from inside it.
-struct SmallSkyLight {
-  f32::vec4 aerosol{}; ///< over the phase function
-  f32::vec4 other{};
-};
-[[nodiscard]] SmallSkyLight small_sky_light(const SmallSkyTables& tables, float height_km, float altitude_rad,
-                                            bool meets_ground, float light_altitude_rad, float azimuth_cos);
+/// Luminance of the air above 1 lux of sunlight along a view from inside it, in X, Y, Z and S.
+[[nodiscard]] f32::SmallSkyLight small_sky_light(const SmallSkyTables& tables, float height_km, float altitude_rad,
+                                                 bool meets_ground, float light_altitude_rad, float azimuth_cos);
 
 } // namespace vesper

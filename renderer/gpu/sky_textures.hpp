@@ -9,7 +9,7 @@
 
 namespace vesper::gpu {
 
-/// A copy of tables, made in parts so that a running sequence does not stall: about 18 MiB for the default size.
+/// A copy of tables, made in parts so that a running sequence does not stall: about 12 MiB for the default size.
 class SkyTextures {
 public:
   /// Makes room. The two large tables are filled by upload().

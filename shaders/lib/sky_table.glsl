@@ -202,24 +202,13 @@ FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, in
   return sum;
 }
 
-// The share of the node number k over the azimuth in the number m of the cosine series through all nodes.
+// The share of the node number k over the azimuth in the number m of the cosine series through all nodes, which is the
+// polynomial in the cosine that passes through them.
 FN Real sky_series_weight(int m, int k) {
   int last = sky_azimuths - 1;
   Real weight = cos(sky_half_turn * Real(m * k) / Real(last)) / Real(last);
   weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
   return weight * (m == 0 || m == last ? Real(1.0) : Real(2.0));
-}
-
-// Number m of the cosine series over the azimuth through the nodes of a row, for an observer's height and an altitude of
-// the light: what a frame needs of a table. The series is the polynomial in the cosine that passes through all nodes.
-FN vec4 sky_slice_texel(sampler3D table, Real height_km, Real light_altitude_rad, int row, int m, SkyTableFrame frame) {
-  SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
-  SkyNodes lights = sky_nodes(sky_light_place(light_altitude_rad, frame), frame.lights);
-  vec4 sum = vec4(Real(0.0));
-  for (int k = 0; k < sky_azimuths; ++k) {
-    sum += sky_series_weight(m, k) * sky_table_between(table, heights, lights, row, k, frame);
-  }
-  return sum;
 }
 
 // Number m of the series at a view between a slice's rows; x of the slice counts from `first`.
@@ -233,21 +222,7 @@ FN vec4 sky_slice_between(sampler2D slice, int first, SkyViewPlace view, int m) 
   return sum;
 }
 
-// The logarithm of the mean source in a direction, from a slice: x number of the series, y row.
-FN vec4 sky_slice_log2(sampler2D slice, SkyViewPlace view, Real cos_azimuth) {
-  vec4 sum = vec4(Real(0.0));
-  Real before = cos_azimuth; // cos((m - 1) azimuth)
-  Real now = Real(1.0);
-  for (int m = 0; m < sky_azimuths; ++m) {
-    sum += now * sky_slice_between(slice, 0, view, m);
-    Real next = Real(2.0) * cos_azimuth * now - before;
-    before = now;
-    now = next;
-  }
-  return sum;
-}
-
-// The same for any observer, straight from the table.
+// The logarithm of the mean source in a direction for any observer, straight from the table.
 FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real light_altitude_rad, Real cos_azimuth,
                        SkyTableFrame frame) {
   SkyNodes heights = sky_nodes(sky_height_place(height_km, frame), frame.heights);
