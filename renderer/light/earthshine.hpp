@@ -14,7 +14,7 @@ enum class EarthPhaseLaw {
   polynomial, ///< the fit to van de Hulst's sphere in Mueller, Engel and Doellner 2012, eq. 4, with its tint
 };
 
-/// The Earth's geometric albedo by wavelength, 300 to 900 nm: 0.434 (0.88 + 0.12 (550 nm / wavelength)^4), clouds with
+/// The Earth's geometric albedo by wavelength, 300 to 900 nm: 0.434 (0.84 + 0.16 (550 nm / wavelength)^4), clouds with
 /// the blue of the air. Sunlight from it has a B-V of 0.46; earthlight was measured as 0.44 +- 0.02 (Thejll et al.
 /// 2014, A&A 563, A38). The Earth turns, and its clouds change by some 10 %: this is their mean.
 [[nodiscard]] const Spectrum& earth_albedo();
