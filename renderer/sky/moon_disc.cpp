@@ -38,7 +38,7 @@ Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s};
 /// Light on the Moon in the colour that the surface gives it, with the illuminance that it has there.
 Vec4 coloured(const Spectrum& light, Angle phase_angle) {
   const Vec4 reflected = vector_of(integrate_xyzs(filtered(light, moon_albedo(phase_angle))));
-  return integrate_xyzs(light).y / reflected.y * reflected;
+  return reflected.y > 0.0 ? integrate_xyzs(light).y / reflected.y * reflected : Vec4(0.0);
 }
 
 f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
