@@ -3,12 +3,10 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
-#include "vesper/light/photometry.hpp"
 #include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vesper {
 namespace {
@@ -50,8 +48,8 @@ double gain_of(double wanted, double drawn) { return wanted < largest_gain * dra
 
 } // namespace
 
-MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight light) {
-  const bool cheap = light == MoonLight::cheap;
+MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
+  const bool cheap = tier == Tier::cheap;
   const LunarSurface surface = cheap ? LunarSurface::cheap : LunarSurface::standard;
   MoonIllumination moon = moon_illumination(sky, cheap ? EarthPhaseLaw::polynomial : EarthPhaseLaw::measured);
   const Length distance = sky.moon.place.distance;
@@ -81,8 +79,7 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight li
   }
 
   const Spectrum irradiance = moonlight_of(sky, moon);
-  const Xyzs illuminance = integrate_xyzs(irradiance);
-  const double solid_angle_sr = std::numbers::pi * std::pow(std::sin(radius.to(rad)), 2);
+  const MoonBrightness brightness = moon_brightness(irradiance, distance);
   return {sky.moon.place.direction_horizon,
           distance,
           radius,
@@ -90,9 +87,9 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight li
           to_observer,
           lighting,
           irradiance,
-          illuminance,
-          v_magnitude(irradiance),
-          illuminance.y / solid_angle_sr * candela_per_m2};
+          brightness.illuminance,
+          brightness.v_magnitude,
+          brightness.mean_luminance};
 }
 
 } // namespace vesper

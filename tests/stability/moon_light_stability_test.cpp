@@ -146,7 +146,7 @@ SkyState some_sky() {
 
 TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
   const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 32), 32);
-  for (const MoonLight light : {MoonLight::cheap, MoonLight::standard}) {
+  for (const Tier tier : {Tier::cheap, Tier::standard}) {
     for (const double phase : phases()) {
       SCOPED_TRACE(phase);
       SkyState sky = some_sky();
@@ -156,7 +156,7 @@ TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
       sky.moon.subsolar = {phase * deg, 0.0 * deg};
       sky.lunar_eclipse.penumbral_magnitude = -1.0;
       sky.lunar_eclipse.axis = glm::normalize(sky.lunar_eclipse.moon_km) * (phase < 90.0 ? 1.0 : -1.0);
-      const MoonDisc disc = moon_disc(sky, samples, light);
+      const MoonDisc disc = moon_disc(sky, samples, tier);
       for (const double value : {disc.illuminance.x, disc.illuminance.y, disc.illuminance.z, disc.illuminance.s,
                                  disc.mean_luminance.to(candela_per_m2)}) {
         ASSERT_TRUE(std::isfinite(value) && value >= 0.0 && value < 1.0e4) << value;
