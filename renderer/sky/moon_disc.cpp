@@ -44,7 +44,12 @@ f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
 }
 
 /// Factor for a law whose disc gives `drawn` lux instead of `wanted`.
-double gain_of(double wanted, double drawn) { return wanted < largest_gain * drawn ? wanted / drawn : largest_gain; }
+double gain_of(double wanted, double drawn) {
+  if (wanted <= 0.0) {
+    return 0.0;
+  }
+  return wanted < largest_gain * drawn ? wanted / drawn : largest_gain;
+}
 
 } // namespace
 
@@ -75,7 +80,7 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
   lighting.sun_law = scaled_law(lighting.sun_law, sun_gain);
   lighting.earth_law = scaled_law(lighting.earth_law, gain_of(earth_wanted, earth_drawn));
   if (sun_gain == largest_gain) {
-    moon.sunlit_moon = scaled(moon.sunlit_moon, sun_wanted > 0.0 ? sun_gain * sun_drawn / sun_wanted : 0.0);
+    moon.sunlit_moon = scaled(moon.sunlit_moon, sun_gain * sun_drawn / sun_wanted);
   }
 
   const Spectrum irradiance = moonlight_of(sky, moon);
