@@ -54,7 +54,8 @@ std::vector<SkyLight> lights_of(const SkyState& sky) {
     lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
   }
   if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
-    lights[1].irradiance = filtered(lights[1].irradiance, sunlight_on_moon(sky.lunar_eclipse));
+    lights[1].irradiance =
+        filtered(lights[1].irradiance, sunlight_on_moon(sky.lunar_eclipse, sky.eclipse_air, sky.tier));
   }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
