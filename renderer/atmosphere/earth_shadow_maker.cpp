@@ -11,8 +11,8 @@ namespace {
 // Places of the Moon's surface, with some to spare.
 constexpr double nearest_km = 354000.0;
 constexpr double farthest_km = 410000.0;
-constexpr int inner = 96;
-constexpr int outer = 40;
+constexpr int inner = 80;
+constexpr int outer = 64;
 
 std::vector<double> map_wavelengths_nm() {
   std::vector<double> wavelengths;
@@ -35,7 +35,7 @@ EarthShadowLight make_earth_shadow_light(const Medium& medium) {
                  static_cast<double>(rows - 1) / (farthest_km - nearest_km),
                  f64::earth_radius_km + 65.0,
                  f64::earth_radius_km + 120.0,
-                 150.0};
+                 250.0};
   light.wavelengths_nm = map_wavelengths_nm();
   light.nearest_sun_au = 0.982;
   light.farthest_sun_au = 1.018;
