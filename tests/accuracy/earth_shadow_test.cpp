@@ -32,7 +32,8 @@ f64::EarthShadow shadow_at(Length sun) {
 
 /// Radii of umbra and penumbra of a sphere without air, of the Earth's mean radius.
 Vec2 airless_radii_km(double along_km) {
-  return f64::earth_shadow_radii_km(along_km, f64::shadow_with_edge(shadow_at(astronomical_unit), f64::earth_radius_km));
+  return f64::earth_shadow_radii_km(along_km,
+                                    f64::shadow_with_edge(shadow_at(astronomical_unit), f64::earth_radius_km));
 }
 
 constexpr EarthShadowLoad without_load{0.0, -100.0};

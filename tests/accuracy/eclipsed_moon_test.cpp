@@ -136,8 +136,8 @@ TEST(EclipsedMoon, HasMeasuredMagnitudes) {
     const char* instant;
     double v;
   };
-  for (const Measured& eclipse : {Measured{"1990-02-09T19:11:00Z", -3.32}, {"2007-03-03T23:21:00Z", -1.70},
-                                  {"2004-10-28T03:04:00Z", -2.20}}) {
+  for (const Measured& eclipse :
+       {Measured{"1990-02-09T19:11:00Z", -3.32}, {"2007-03-03T23:21:00Z", -1.70}, {"2004-10-28T03:04:00Z", -2.20}}) {
     const Instant instant = parse_instant(eclipse.instant);
     const double dark = moon_v_magnitude(0.0 * deg) + dimming_mag(instant, 2.5);
     const double bright = moon_v_magnitude(0.0 * deg) + dimming_mag(instant, 4.0);

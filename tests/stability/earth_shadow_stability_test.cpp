@@ -24,15 +24,16 @@ f64::EarthShadow shadow_of_z(double sun_au = 1.0) {
 }
 
 LunarEclipseTable table_at(double along_km, double danjon = 2.5, double sun_au = 1.0) {
-  return lunar_eclipse_table(eclipse_spectra(default_earth_shadow_light(), along_km * kilometre,
-                                             sun_au * astronomical_unit, danjon),
-                             solar_irradiance_1au());
+  return lunar_eclipse_table(
+      eclipse_spectra(default_earth_shadow_light(), along_km * kilometre, sun_au * astronomical_unit, danjon),
+      solar_irradiance_1au());
 }
 
 f32::LunarEclipseFrame single(const f64::LunarEclipseFrame& frame) {
   const auto real = [](double value) { return static_cast<float>(value); };
-  return {frame.kind,           frame.inner,          frame.outer,         frame.rows,          real(frame.first_km),
-          real(frame.rows_per_km), real(frame.edge_km), real(frame.clear_km), real(frame.width_km)};
+  return {frame.kind,          frame.inner,          frame.outer,
+          frame.rows,          real(frame.first_km), real(frame.rows_per_km),
+          real(frame.edge_km), real(frame.clear_km), real(frame.width_km)};
 }
 
 /// Shares in both precisions, finite and within 0 to 1.
@@ -45,9 +46,8 @@ f64::vec4 checked_shares(const LunarEclipseTable& table, const Vec3& point, cons
   const f32::EarthShadow f32_shadow{glm::vec3(shadow.axis), static_cast<float>(shadow.sun_distance_km),
                                     static_cast<float>(shadow.sun_radius_km),
                                     static_cast<float>(shadow.edge_radius_km)};
-  const f32::vec4 f32_shares =
-      f32::lunar_eclipse_shares(glm::vec3(point), f32_shadow, single(table.frame),
-                                {texels.data(), table.width(), table.frame.rows});
+  const f32::vec4 f32_shares = f32::lunar_eclipse_shares(glm::vec3(point), f32_shadow, single(table.frame),
+                                                         {texels.data(), table.width(), table.frame.rows});
   for (int i = 0; i < 4; ++i) {
     EXPECT_GT(shares[i], 0.0) << point.x << " " << point.z;
     EXPECT_LE(shares[i], 1.0) << point.x << " " << point.z;
@@ -139,8 +139,8 @@ TEST(EarthShadowStability, WithoutAirWavelengthsOrWithMuchOfIt) {
 TEST(EarthShadowStability, EclipsesThatGrazeAndExactOpposition) {
   const auto share = [](double off_deg, double moon_km) {
     const double angle = (off_deg * deg).to(rad);
-    const LunarEclipseState state = lunar_eclipse_state(
-        {Vec3(au_km, 0.0, 0.0), moon_km * Vec3(-std::cos(angle), std::sin(angle), 0.0)});
+    const LunarEclipseState state =
+        lunar_eclipse_state({Vec3(au_km, 0.0, 0.0), moon_km * Vec3(-std::cos(angle), std::sin(angle), 0.0)});
     const Spectrum light = sunlight_on_moon(state);
     for (const double value : light.values()) {
       EXPECT_TRUE(value > 0.0 && value <= 1.0) << off_deg;
@@ -165,15 +165,15 @@ TEST(EarthShadowStability, EclipsesThatGrazeAndExactOpposition) {
 
 TEST(EarthShadowStability, LuminositiesOutOfRangeAreRefused) {
   for (const double danjon : {-0.1, 4.1, std::numeric_limits<double>::infinity(), std::nan("")}) {
-    EXPECT_THROW(
-        static_cast<void>(eclipse_spectra(default_earth_shadow_light(), 384400.0 * kilometre, astronomical_unit, danjon)),
-        Error);
+    EXPECT_THROW(static_cast<void>(
+                     eclipse_spectra(default_earth_shadow_light(), 384400.0 * kilometre, astronomical_unit, danjon)),
+                 Error);
   }
   for (const double sun_au : {0.5, 0.99, 2.0}) {
     for (const double along_km : {1.0, 384400.0, 1.0e7}) {
-      for (const double log : eclipse_spectra(default_earth_shadow_light(), along_km * kilometre,
-                                              sun_au * astronomical_unit, 0.0)
-                                  .log_shares) {
+      for (const double log :
+           eclipse_spectra(default_earth_shadow_light(), along_km * kilometre, sun_au * astronomical_unit, 0.0)
+               .log_shares) {
         EXPECT_TRUE(log <= 0.01 && log > -40.0);
       }
     }
