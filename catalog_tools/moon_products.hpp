@@ -46,8 +46,8 @@ struct MoonProduct {
 /// the map becomes moon_product_disc_albedo. Its normal is that of the surface r = R + h: n along e - grad h / r with
 /// the mean gradient over the texel, from the heights at its corners, each a mean over an area of a texel's size. The
 /// gradient is taken on the cube's faces, so that no direction is special but the sampling of the grids near the
-/// poles. Up to 512 texels a face the numbers are rounded to 16-bit floats (0.049 % at most; a normal turns by less than
-/// a tenth of a texel's width), which makes the file a third as large.
+/// poles. Up to 512 texels a face the numbers are rounded to 16-bit floats (0.049 % at most; a normal turns by 0.02
+/// degrees at most), which makes the file a third as large.
 ///
 /// \param albedo      linear, to a scale; NaN where missing
 /// \param elevation_m metres above moon_reference_radius; NaN where missing
