@@ -4,6 +4,7 @@
 #include "vesper/assets/half_float.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
+#include "vesper/light/lunar_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -130,14 +131,14 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
     disc_area += std::max(texel.direction.x, 0.0) * texel.solid_angle_sr;
   }
   report.mean_slope = std::sqrt(slopes / areas) * rad;
-  report.albedo_scale = moon_product_disc_albedo * disc_area / disc_light;
+  report.albedo_scale = lunar_geometric_albedo * disc_area / disc_light;
   const auto [least, most] = std::minmax_element(albedos.begin(), albedos.end());
   report.least_albedo = *least * report.albedo_scale;
   report.most_albedo = *most * report.albedo_scale;
   if (!(report.most_albedo <= 1.0)) {
     throw Error(ErrorKind::input,
                 fmt::format("the brightest texel has an albedo of {:.2f} when the disc has {}; allowed is 1",
-                            report.most_albedo, moon_product_disc_albedo),
+                            report.most_albedo, lunar_geometric_albedo),
                 {"", "", "Check the albedo map and its encoding"});
   }
   for (std::size_t i = 0; i < albedos.size(); ++i) {
