@@ -4,7 +4,6 @@
 #include "vesper/assets/moon_map.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/catalog_tools/globe_grid.hpp"
-#include "vesper/light/lunar_surface.hpp"
 
 #include <cstddef>
 #include <functional>
