@@ -10,8 +10,8 @@ double share_past_clouds(const EarthShadowLoad& load, double height_km) {
 }
 
 Medium with_stratospheric_dust(Medium medium) {
-  // At the heights of clear air's; droplets of sulphuric acid as in OPAC (Hess et al. 1998, Bull. Am. Meteorol. Soc. 79,
-  // 831).
+  // At the heights of clear air's; droplets of sulphuric acid as in OPAC (Hess et al. 1998, Bull. Am. Meteorol. Soc.
+  // 79, 831).
   constexpr double from_km = 12.0;
   constexpr double peak_km = 20.0;
   constexpr double to_km = 35.0;
