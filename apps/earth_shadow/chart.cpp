@@ -16,7 +16,7 @@ constexpr double width = 760.0;
 constexpr double height = 360.0;
 constexpr double left = 60.0;
 constexpr double top = 20.0;
-constexpr double farthest_km = 9000.0;
+constexpr int farthest_km = 9000;
 constexpr double decades = 7.0;
 constexpr double strip = 22.0; // of one L's colours
 
@@ -67,15 +67,15 @@ std::string shadow_chart(const EarthShadowLight& light) {
   }
   for (int danjon = 0; danjon <= 4; ++danjon) {
     const LunarEclipseTable table =
-        lunar_eclipse_table(eclipse_spectra(light, moon_mean_distance, astronomical_unit, danjon), moonlight);
+        lunar_eclipse_table(eclipse_spectra(light, along_km * kilometre, astronomical_unit, danjon), moonlight);
     const double strip_y = top + height + 34.0 + strip * danjon;
     std::string path;
-    constexpr double step_km = 25.0;
-    constexpr double stripe_km = 75.0;
-    for (double km = 0.0; km <= farthest_km; km += step_km) {
+    constexpr int step_km = 25;
+    constexpr int stripe_km = 75;
+    for (int km = 0; km <= farthest_km; km += step_km) {
       const Vec4 shares = f64::lunar_eclipse_shares(Vec3(km, 0.0, along_km), shadow, table.frame, table.sampler());
       fmt::format_to(std::back_inserter(path), "{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x_of(km), y_of(shares.y));
-      if (std::fmod(km, stripe_km) == 0.0) {
+      if (km % stripe_km == 0) {
         fmt::format_to(out, "<rect x=\"{:.1f}\" y=\"{:.0f}\" width=\"7\" height=\"19\" fill=\"{}\"/>\n", x_of(km),
                        strip_y, color_of(shares));
       }
@@ -87,9 +87,9 @@ std::string shadow_chart(const EarthShadowLight& light) {
                    "<text x=\"8\" y=\"{:.1f}\">L = {}</text>\n",
                    path, x_of(named_km), y_of(named.y) - 5.0, danjon, strip_y + 14.0, danjon);
   }
-  for (double km = 0.0; km <= farthest_km; km += 1000.0) {
-    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{:.0f}</text>\n", x_of(km),
-                   top + height + 18.0, km);
+  for (int km = 0; km <= farthest_km; km += 1000) {
+    fmt::format_to(out, "<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x_of(km), top + height + 18.0,
+                   km);
   }
   return svg + fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"end\">km from the axis</text>\n</svg>\n",
                            left + width, top + height + 5.0 * strip + 56.0);
