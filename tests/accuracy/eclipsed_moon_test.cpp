@@ -16,15 +16,7 @@ namespace vesper {
 namespace {
 
 using test::ErrorSum;
-using test::seconds_between;
 using test::TruthRow;
-
-Instant stamp_of(const TruthRow& row, std::string_view column) {
-  const bool ut1 = row.text("scale") == "UT1";
-  Instant instant = parse_instant(row.text(column), ut1 ? TimeScale::ut1 : TimeScale::utc);
-  return ut1 ? instant_from({instant.ut1.day, instant.ut1.fraction + row.number("delta_t") / 86400.0}, instant.ut1)
-             : instant;
-}
 
 LunarEclipseState state_at(const Instant& instant) { return lunar_eclipse_state(apparent_sun_moon(instant.tt)); }
 
@@ -80,7 +72,7 @@ TEST(EclipsedMoon, TheUmbrasEdgeMeetsTheLimbAtTheContacts) {
         if (row.text(contact.name).empty() || std::abs(magnitude - (contact.inner ? 1.0 : 0.0)) <= 0.1) {
           continue;
         }
-        const Instant instant = stamp_of(row, contact.name);
+        const Instant instant = row.instant_in(contact.name);
         const LunarEclipseState state = state_at(instant);
         const LunarEclipseTable table = lunar_eclipse_table(state, moonlight, {danjon, nullptr});
         const double gap = limb_km(state, contact.inner) - edge_km(state, table);
