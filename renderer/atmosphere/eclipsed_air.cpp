@@ -78,11 +78,15 @@ void EclipsedAir::fill_transfers() {
   const BesselTable bessel(2500.0 * most_per_km);
   const std::size_t wavelengths = small.wavelengths_nm.size();
   responses_.assign(wavelengths * wave_count, Matrix{});
+  verticals_ = responses_;
   std::array<double, wave_count> waves{};
+  double sine2 = 0.0; // of the ray's altitude
   const auto add = [&](std::size_t to, std::size_t from, double share, const f32::vec4& light) {
     for (std::size_t l = 0; l < wavelengths; ++l) {
+      const double sent = share * static_cast<double>(light[static_cast<int>(l)]);
       for (std::size_t k = 0; k < wave_count; ++k) {
-        responses_[l * wave_count + k][to][from] += share * static_cast<double>(light[static_cast<int>(l)]) * waves[k];
+        responses_[l * wave_count + k][to][from] += sent * waves[k];
+        verticals_[l * wave_count + k][to][from] += sent * waves[k] * sine2;
       }
     }
   };
@@ -99,6 +103,7 @@ void EclipsedAir::fill_transfers() {
         // Rays crowd at the horizon.
         const double range = below ? -1.0 - horizon : 1.0 - horizon;
         const double sine = horizon + range * node.place * node.place;
+        sine2 = sine * sine;
         const double width = std::abs(range) * 2.0 * node.place * node.weight;
         const double weight = level ? 2.0 * sine * width : 0.5 * width;
         const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
@@ -164,18 +169,27 @@ void EclipsedAir::solve() {
   }
 }
 
-EclipsedAir::Column EclipsedAir::diffuse(std::size_t wavelength, double per_km, const Column& sunlit) const {
+EclipsedAir::Diffuse EclipsedAir::diffuse(std::size_t wavelength, double per_km, const Column& sunlit) const {
   const double place = std::clamp(per_km / most_per_km, 0.0, 1.0) * (wave_count - 1);
   const std::size_t wave = std::min(static_cast<std::size_t>(place), wave_count - 2);
   const double t = place - static_cast<double>(wave);
-  const Matrix& low = responses_[wavelength * wave_count + wave];
-  const Matrix& high = responses_[wavelength * wave_count + wave + 1];
-  Column result{};
-  for (std::size_t i = 0; i < places; ++i) {
-    for (std::size_t j = 0; j < places; ++j) {
-      result[i] += (low[i][j] + t * (high[i][j] - low[i][j])) * sunlit[j];
+  const auto product = [&](const std::vector<Matrix>& matrices, const Column& column) {
+    const Matrix& low = matrices[wavelength * wave_count + wave];
+    const Matrix& high = matrices[wavelength * wave_count + wave + 1];
+    Column result{};
+    for (std::size_t i = 0; i < places; ++i) {
+      for (std::size_t j = 0; j < places; ++j) {
+        result[i] += (low[i][j] + t * (high[i][j] - low[i][j])) * column[j];
+      }
     }
+    return result;
+  };
+  Diffuse result{product(responses_, sunlit), {}};
+  Column all = sunlit;
+  for (std::size_t i = 0; i < places; ++i) {
+    all[i] += result.mean[i];
   }
+  result.vertical = product(verticals_, all);
   return result;
 }
 

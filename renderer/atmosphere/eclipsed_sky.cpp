@@ -26,7 +26,9 @@ f32::vec4 direct_light(const SmallSkyTables& small, float height_km, float sin_l
                               small.transmittance_frame, small.frame);
 }
 
-f32::vec3 narrowed(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+f32::vec3 narrowed(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 } // namespace
 
@@ -55,7 +57,8 @@ struct EclipsedSky::Light {
 EclipsedSky::EclipsedSky(std::shared_ptr<const EclipsedAir> air, MoonShadowInAir shadow, Length height,
                          unsigned threads)
     : air_(std::move(air)), shadow_(std::move(shadow)), height_km_(height.to(kilometre)),
-      diffuse_left_(EclipsedAir::places * side * side, f32::vec4(1.0F)), ground_light_(side * side, f32::vec4(0.0F)) {
+      diffuse_left_(EclipsedAir::places * side * side, f32::vec4(1.0F)), vertical_left_(diffuse_left_),
+      diffuse_(diffuse_left_) {
   parallel_for(
       air_->wavelengths_nm().size(), 1,
       [&](std::size_t begin, std::size_t end) {
@@ -99,6 +102,7 @@ void EclipsedSky::fill_chart(std::size_t wavelength) {
   for (std::vector<Complex>& plane : planes) {
     fourier_transform(plane, side, FourierWay::forward);
   }
+  std::vector<std::vector<Complex>> verticals = planes;
   const double unit_per_km = 2.0 * pi / (static_cast<double>(side) * spacing_km);
   const auto wave_number = [](std::size_t i) { return static_cast<double>(i <= side / 2 ? i : side - i); };
   for (std::size_t v = 0; v < side; ++v) {
@@ -107,23 +111,25 @@ void EclipsedSky::fill_chart(std::size_t wavelength) {
       for (std::size_t i = 0; i < EclipsedAir::places; ++i) {
         sunlit[i] = planes[i][v * side + u];
       }
-      const EclipsedAir::Column diffuse =
+      const EclipsedAir::Diffuse diffuse =
           air_->diffuse(wavelength, unit_per_km * std::hypot(wave_number(u), wave_number(v)), sunlit);
       for (std::size_t i = 0; i < EclipsedAir::places; ++i) {
-        planes[i][v * side + u] = diffuse[i];
+        planes[i][v * side + u] = diffuse.mean[i];
+        verticals[i][v * side + u] = diffuse.vertical[i];
       }
     }
   }
   for (std::size_t i = 0; i < EclipsedAir::places; ++i) {
     fourier_transform(planes[i], side, FourierWay::back);
+    fourier_transform(verticals[i], side, FourierWay::back);
     for (std::size_t texel = 0; texel < side * side; ++texel) {
       const Complex& light = planes[i][texel];
-      const bool lit = light.imag() > 1.0e-30;
-      diffuse_left_[i * side * side + texel][channel] =
-          lit ? static_cast<float>(std::clamp(light.real() / light.imag(), 0.0, 1.0)) : 1.0F;
-      if (i == EclipsedAir::ground) {
-        ground_light_[texel][channel] = static_cast<float>(std::max(light.imag(), 0.0));
-      }
+      const auto open = std::max(light.imag(), 1.0e-30);
+      const auto share = [&](double value) { return static_cast<float>(std::clamp(value / open, 0.0, 1.0)); };
+      const std::size_t at = i * side * side + texel;
+      diffuse_[at][channel] = static_cast<float>(open);
+      diffuse_left_[at][channel] = share(light.real());
+      vertical_left_[at][channel] = share(verticals[i][texel].real());
     }
   }
 }
@@ -189,13 +195,14 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
   const double height = std::clamp(entry_radius - ground_km, 1.0e-3, static_cast<double>(frame.top_km) - ground_km);
   const double entry_sine = glm::dot(entry, view) / entry_radius;
   const double horizon = -std::sqrt(height * (2.0 * ground_km + height)) / entry_radius;
-  const f32::SmallSkyRay ray = f32::small_sky_ray(static_cast<float>(height), static_cast<float>(entry_sine),
-                                                  entry_sine < horizon, frame);
+  const f32::SmallSkyRay ray =
+      f32::small_sky_ray(static_cast<float>(height), static_cast<float>(entry_sine), entry_sine < horizon, frame);
   const auto sin_light = static_cast<float>(glm::dot(entry, Vec3(shadow_.shadow.to_sun)) / entry_radius);
   const auto cos_angle = static_cast<float>(glm::dot(view, Vec3(shadow_.shadow.to_sun)));
   const float molecules = f32::rayleigh_phase(cos_angle, frame.depolarization);
   const f32::vec3 forward = narrowed(view);
   f32::vec4 left(1.0F);
+  const auto sine2 = static_cast<float>(sine * sine);
   for (int i = 0; i < view_steps; ++i) {
     const float from = static_cast<float>(i) / view_steps;
     const float to = static_cast<float>(i + 1) / view_steps;
@@ -206,31 +213,35 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
     const f32::vec3 at = (static_cast<float>(begin_km) + along) * forward;
     const f32::vec4 sunlight = direct_light(small, point.x, point.y);
     const f32::vec4 share = sunlight_at(shadow_, at);
-    const f32::vec4 diffuse = f32::small_sky_multiple(multiple, point.x, point.y, frame);
     const Place on_chart = place(at, point.x);
+    const f32::vec4 diffuse =
+        glm::mix(f32::small_sky_multiple(multiple, point.x, point.y, frame), chart(diffuse_, on_chart), on_chart.trust);
     const f32::vec4 diffuse_share = glm::mix(share, chart(diffuse_left_, on_chart), on_chart.trust);
-    const f32::vec4 passed = glm::exp(-step_km * here.extinction_per_km);
-    const f32::vec4 reach =
-        left * (f32::vec4(1.0F) - passed) / glm::max(here.extinction_per_km, f32::vec4(1.0e-9F));
-    const f32::vec4 scattering = here.molecules_per_km + here.aerosol_per_km;
+    const f32::vec4 vertical_share = glm::mix(share / 3.0F, chart(vertical_left_, on_chart), on_chart.trust);
+    const f32::vec4 extinction = glm::max(here.extinction_per_km, f32::vec4(1.0e-9F));
+    const f32::vec4 passed = glm::exp(-step_km * extinction);
+    const f32::vec4 reach = left * (f32::vec4(1.0F) - passed) / extinction;
+    const f32::vec4 even = (f32::vec4(1.0F) - air_->forward()) * here.aerosol_per_km;
+    // Molecules scatter by the square of the cosine between light and view.
+    const f32::vec4 molecules_share =
+        0.75F * (diffuse_share + sine2 * vertical_share + 0.5F * (1.0F - sine2) * (diffuse_share - vertical_share));
     light.aerosol.open += reach * here.aerosol_per_km * sunlight;
     light.aerosol.eclipsed += reach * here.aerosol_per_km * sunlight * share;
-    light.other.open += reach * (molecules * here.molecules_per_km * sunlight + scattering * diffuse);
-    light.other.eclipsed +=
-        reach * (molecules * here.molecules_per_km * sunlight * share + scattering * diffuse * diffuse_share);
+    light.other.open +=
+        reach * here.molecules_per_km * molecules * sunlight + reach * (here.molecules_per_km + even) * diffuse;
+    light.other.eclipsed += reach * here.molecules_per_km * molecules * sunlight * share +
+                            reach * (here.molecules_per_km * molecules_share + even * diffuse_share) * diffuse;
     left *= passed;
   }
   if (ray.meets_ground && with_ground) {
     const f32::vec2 point = f32::small_sky_point(ray, ray.length_km, sin_light, cos_angle, frame);
     const f32::vec3 at = (static_cast<float>(begin_km) + ray.length_km) * forward;
-    const f32::vec4 sunlight =
-        std::max(point.y, 0.0F) / static_cast<float>(pi) * direct_light(small, 0.0F, point.y);
+    const f32::vec4 sunlight = std::max(point.y, 0.0F) / static_cast<float>(pi) * direct_light(small, 0.0F, point.y);
     const f32::vec4 share = sunlight_at(shadow_, at);
     Place on_chart = place(at, 0.0F);
-    on_chart.level = 0;
-    on_chart.up = 0.0F;
-    const f32::vec4 diffuse = chart(ground_light_, on_chart);
     on_chart.level = EclipsedAir::ground;
+    on_chart.up = 0.0F;
+    const f32::vec4 diffuse = chart(diffuse_, on_chart);
     const f32::vec4 diffuse_share = glm::mix(share, chart(diffuse_left_, on_chart), on_chart.trust);
     light.other.open += left * air_->albedo() * (sunlight + diffuse);
     light.other.eclipsed += left * air_->albedo() * (sunlight * share + diffuse * diffuse_share);

@@ -24,9 +24,9 @@ struct MoonShadowInAir {
 
 /// What an eclipse leaves of the light of the sky, one number each for X, Y, Z and S: 1 outside the shadow.
 ///
-/// Light scattered once is summed along a view with each place's own sunlight; the rest comes from a chart of the diffuse
-/// light, 1024 km wide, whose waves an EclipsedAir answers. Further away diffuse light is taken to be dimmed as the
-/// place's sunlight is. How near this comes to a Monte Carlo stands in docs/ACCURACY.md.
+/// Light scattered once is summed along a view with each place's own sunlight; the rest comes from a chart of the
+/// diffuse light, 1024 km wide, whose waves an EclipsedAir answers. Further away diffuse light is taken to be dimmed as
+/// the place's sunlight is. How near this comes to a Monte Carlo stands in docs/ACCURACY.md.
 class EclipsedSky {
 public:
   struct Ratios {
@@ -60,8 +60,10 @@ private:
   std::shared_ptr<const EclipsedAir> air_;
   MoonShadowInAir shadow_;
   double height_km_;
-  std::vector<f32::vec4> diffuse_left_; ///< share of the diffuse light that is left: by place of the air, row, column
-  std::vector<f32::vec4> ground_light_; ///< diffuse irradiance over pi that there is without the Moon: by row, column
+  // By place of the air, row and column of the chart, as EclipsedAir gives it.
+  std::vector<f32::vec4> diffuse_left_;  ///< share of the diffuse light that is left
+  std::vector<f32::vec4> vertical_left_; ///< EclipsedAir::Diffuse::vertical over the diffuse light without the Moon
+  std::vector<f32::vec4> diffuse_;       ///< without the Moon
 };
 
 } // namespace vesper

@@ -57,7 +57,8 @@ void fourier_transform(std::span<Complex> square, std::size_t side, FourierWay w
   std::vector<Complex> turns;
   const double sign = way == FourierWay::forward ? -1.0 : 1.0;
   for (std::size_t k = 0; k < side / 2; ++k) {
-    turns.push_back(std::polar(1.0, sign * 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(side)));
+    turns.push_back(
+        std::polar(1.0, sign * 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(side)));
   }
   for (std::size_t i = 0; i < side; ++i) {
     transform_row(&square[i * side], side, 1, turns);

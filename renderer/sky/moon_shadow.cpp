@@ -46,8 +46,8 @@ std::optional<MoonShadowInAir> moon_shadow(const Vec3& sun_km, const Vec3& moon_
     const double gap = f64::moon_shadow_node_gap(static_cast<double>(i) / (share_nodes - 1));
     const double separation = std::max(0.0, (2.0 * gap - 1.0) * sun_rad + moon_rad);
     for (std::size_t l = 0; l < std::min<std::size_t>(wavelengths_nm.size(), 4); ++l) {
-      result.shares[static_cast<std::size_t>(i)][static_cast<int>(l)] = static_cast<float>(
-          sunlight_seen(sun_rad, moon_rad, separation, limb_darkening_power(wavelengths_nm[l])));
+      result.shares[static_cast<std::size_t>(i)][static_cast<int>(l)] =
+          static_cast<float>(sunlight_seen(sun_rad, moon_rad, separation, limb_darkening_power(wavelengths_nm[l])));
     }
   }
   return result;
