@@ -111,7 +111,7 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 
 SkyMap::SkyMap(const ShaderLibrary& library)
     : slice_programs_(library, {"sky_slice.comp"}), ground_program_(build_program(library, {"sky_ground.comp"})),
-      map_programs_(library, {"sky_map.comp"}),
+      map_programs_(library, {"sky_map.comp"}), eclipse_map_(library),
       map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above),
                         PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
@@ -219,6 +219,21 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
   }
   phase_texture_ = make_row_texture(phase_);
   interpolate(phase_texture_);
+}
+
+void SkyMap::eclipse(const SkyTables& tables, const FramePlan& plan, Length height) {
+  if (plan.eclipse.sky == nullptr) {
+    return;
+  }
+  const SkyBlock block = block_of(tables, plan, height, 1.0);
+  const float dip = f32::sky_dip(block.height_km, tables.frame);
+  const double end = is_outside(tables, height) ? -static_cast<double>(f32::sky_limb_dip(block.height_km, tables.frame))
+                                                : 0.5 * std::numbers::pi;
+  const auto angle = [](float sine) { return static_cast<double>(f32::sky_arc_sine(sine)); };
+  eclipse_map_.dim(map_, {columns + 1, rows_below, rows_above},
+                   {f32::sky_map_frame(block.sin_horizon, block.sin_highest), angle(block.sin_horizon),
+                    angle(block.sin_highest), -static_cast<double>(dip), end},
+                   plan);
 }
 
 void SkyMap::bind() const {

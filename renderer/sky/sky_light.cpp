@@ -43,14 +43,14 @@ SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Ang
           moon_irradiance(phase_angle, distance, from_sun)};
 }
 
-std::vector<SkyLight> lights_of(const SkyState& sky) {
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
   const BodyPlace& moon = sky.moon.place;
   const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
   const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
   std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
                                moon_light(moon.direction_horizon, moon.distance,
                                           glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
-  if (sky.solar_eclipse.magnitude > 0.0) {
+  if (sun == SunInEclipse::as_observed && sky.solar_eclipse.magnitude > 0.0) {
     lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
   }
   if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
