@@ -17,6 +17,10 @@ using std::numbers::pi;
 
 constexpr int view_steps = 48;
 
+/// Share of the diffuse light that there is at the least, where the chart does not reach: as in the middle of an umbra
+/// 160 km wide, by the reference transport.
+constexpr float least_diffuse = 2.0e-4F;
+
 f32::sampler2D plane_of(const std::vector<f32::vec4>& texels, int width) {
   return {texels.data(), width, static_cast<int>(texels.size()) / width};
 }
@@ -213,11 +217,12 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
     const f32::vec3 at = (static_cast<float>(begin_km) + along) * forward;
     const f32::vec4 sunlight = direct_light(small, point.x, point.y);
     const f32::vec4 share = sunlight_at(shadow_, at);
+    const f32::vec4 far_share = glm::max(share, f32::vec4(least_diffuse));
     const Place on_chart = place(at, point.x);
     const f32::vec4 diffuse =
         glm::mix(f32::small_sky_multiple(multiple, point.x, point.y, frame), chart(diffuse_, on_chart), on_chart.trust);
-    const f32::vec4 diffuse_share = glm::mix(share, chart(diffuse_left_, on_chart), on_chart.trust);
-    const f32::vec4 vertical_share = glm::mix(share / 3.0F, chart(vertical_left_, on_chart), on_chart.trust);
+    const f32::vec4 diffuse_share = glm::mix(far_share, chart(diffuse_left_, on_chart), on_chart.trust);
+    const f32::vec4 vertical_share = glm::mix(far_share / 3.0F, chart(vertical_left_, on_chart), on_chart.trust);
     const f32::vec4 extinction = glm::max(here.extinction_per_km, f32::vec4(1.0e-9F));
     const f32::vec4 passed = glm::exp(-step_km * extinction);
     const f32::vec4 reach = left * (f32::vec4(1.0F) - passed) / extinction;
@@ -238,11 +243,12 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
     const f32::vec3 at = (static_cast<float>(begin_km) + ray.length_km) * forward;
     const f32::vec4 sunlight = std::max(point.y, 0.0F) / static_cast<float>(pi) * direct_light(small, 0.0F, point.y);
     const f32::vec4 share = sunlight_at(shadow_, at);
+    const f32::vec4 far_share = glm::max(share, f32::vec4(least_diffuse));
     Place on_chart = place(at, 0.0F);
     on_chart.level = EclipsedAir::ground;
     on_chart.up = 0.0F;
     const f32::vec4 diffuse = chart(diffuse_, on_chart);
-    const f32::vec4 diffuse_share = glm::mix(share, chart(diffuse_left_, on_chart), on_chart.trust);
+    const f32::vec4 diffuse_share = glm::mix(far_share, chart(diffuse_left_, on_chart), on_chart.trust);
     light.other.open += left * air_->albedo() * (sunlight + diffuse);
     light.other.eclipsed += left * air_->albedo() * (sunlight * share + diffuse * diffuse_share);
   }
@@ -253,19 +259,18 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
 
 EclipsedSky::Ratios EclipsedSky::ratios(const Vec3& view, bool with_ground) const {
   const Light light = march(view, with_ground);
-  const f32::sampler1D phases = line_sampler(air_->tables().phase);
   const auto cos_angle = static_cast<float>(glm::dot(view, Vec3(shadow_.shadow.to_sun)));
-  const auto phase_at = [&](float cosine) { return f32::sky_aerosol_phase(phases, cosine, phases.width); };
   // Where no light is there is nothing to dim.
   const auto ratio = [](const f32::vec4& eclipsed, const f32::vec4& open) {
     constexpr float none = 1.0e-30F;
     return (eclipsed + none) / (open + none);
   };
-  const auto with_phase = [&](float cosine) {
-    const float phase = phase_at(cosine);
+  const auto with_phase = [&](float phase) {
     return ratio(light.other.eclipsed + phase * light.aerosol.eclipsed, light.other.open + phase * light.aerosol.open);
   };
-  return {with_phase(cos_angle), with_phase(std::min(cos_angle, f32::sky_peak_cos)),
+  const f32::sampler1D phases = line_sampler(air_->tables().phase);
+  return {with_phase(f32::sky_aerosol_phase(phases, cos_angle, phases.width)),
+          with_phase(std::exp2(log2_phase_without_peak(air_->tables(), cos_angle))),
           ratio(light.aerosol.eclipsed, light.aerosol.open)};
 }
 

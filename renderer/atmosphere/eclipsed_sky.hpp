@@ -26,7 +26,7 @@ struct MoonShadowInAir {
 ///
 /// Light scattered once is summed along a view with each place's own sunlight; the rest comes from a chart of the
 /// diffuse light, 1024 km wide, whose waves an EclipsedAir answers. Further away diffuse light is taken to be dimmed as
-/// the place's sunlight is. How near this comes to a Monte Carlo stands in docs/ACCURACY.md.
+/// the place's sunlight is, but never to nothing. How near this comes to a Monte Carlo stands in docs/ACCURACY.md.
 class EclipsedSky {
 public:
   struct Ratios {

@@ -7,7 +7,8 @@
 
 namespace vesper::gpu {
 
-/// Dims a map of the sky (sky_map.hpp). Views are followed on the processor, on a net four times coarser than the map.
+/// Dims a map of the sky (sky_map.hpp). Views are followed on the processor, on a net four times coarser
+/// than the map for observers on the ground (20 ms on one core), as fine as the map for those high above it (0.3 s).
 class EclipseMap {
 public:
   /// The library must outlive it.

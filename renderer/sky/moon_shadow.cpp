@@ -34,7 +34,7 @@ std::optional<f32::MoonShadow> geometry_of(const Bodies& bodies) {
   const double sun_radius_km = sun_radius.to(kilometre);
   const double reach_km = eclipsed_air_distance.to(kilometre);
   // Behind the observer the Moon hides no Sun.
-  if (moon_along_km <= 2.0 * reach_km) {
+  if (!(moon_along_km > 2.0 * reach_km)) {
     return std::nullopt;
   }
   const Vec3 moon_aside_km = bodies.moon_km - moon_along_km * to_sun;
