@@ -61,8 +61,7 @@ struct EclipsedSky::Light {
 EclipsedSky::EclipsedSky(std::shared_ptr<const EclipsedAir> air, MoonShadowInAir shadow, Length height,
                          unsigned threads)
     : air_(std::move(air)), shadow_(std::move(shadow)), height_km_(height.to(kilometre)),
-      diffuse_left_(EclipsedAir::places * side * side, f32::vec4(1.0F)), vertical_left_(diffuse_left_),
-      diffuse_(diffuse_left_) {
+      chart_(EclipsedAir::places * side * side) {
   parallel_for(
       air_->wavelengths_nm().size(), 1,
       [&](std::size_t begin, std::size_t end) {
@@ -130,10 +129,11 @@ void EclipsedSky::fill_chart(std::size_t wavelength) {
       const Complex& light = planes[i][texel];
       const auto open = std::max(light.imag(), 1.0e-30);
       const auto share = [&](double value) { return static_cast<float>(std::clamp(value / open, 0.0, 1.0)); };
-      const std::size_t at = i * side * side + texel;
-      diffuse_[at][channel] = static_cast<float>(open);
-      diffuse_left_[at][channel] = share(light.real());
-      vertical_left_[at][channel] = share(verticals[i][texel].real());
+      Node& node = chart_[i * side * side + texel];
+      node.open[channel] = static_cast<float>(open);
+      node.left[channel] = share(light.real());
+      node.vertical[channel] = share(verticals[i][texel].imag());
+      node.vertical_left[channel] = share(verticals[i][texel].real());
     }
   }
 }
@@ -163,14 +163,26 @@ EclipsedSky::Place EclipsedSky::place(const f32::vec3& at_km, float height_km) c
           1.0F - glm::smoothstep(half - 8.0F, half - 2.0F, aside)};
 }
 
-/// Between four nodes of one level.
-f32::vec4 EclipsedSky::chart(const std::vector<f32::vec4>& values, const Place& place) const {
-  const auto level = [&](std::size_t number) {
-    const f32::vec4* texel = &values[(number * side + place.row) * side + place.column];
-    return glm::mix(glm::mix(texel[0], texel[1], place.right), glm::mix(texel[side], texel[side + 1], place.right),
-                    place.down);
+EclipsedSky::Node EclipsedSky::chart(const Place& place) const {
+  Node sum{};
+  const auto add = [&](std::size_t level, std::size_t row, std::size_t column, float share) {
+    const Node& node = chart_[(level * side + row) * side + column];
+    sum.open += share * node.open;
+    sum.left += share * node.left;
+    sum.vertical += share * node.vertical;
+    sum.vertical_left += share * node.vertical_left;
   };
-  return place.up > 0.0F ? glm::mix(level(place.level), level(place.level + 1), place.up) : level(place.level);
+  const auto add_level = [&](std::size_t level, float share) {
+    add(level, place.row, place.column, share * (1.0F - place.right) * (1.0F - place.down));
+    add(level, place.row, place.column + 1, share * place.right * (1.0F - place.down));
+    add(level, place.row + 1, place.column, share * (1.0F - place.right) * place.down);
+    add(level, place.row + 1, place.column + 1, share * place.right * place.down);
+  };
+  add_level(place.level, 1.0F - place.up);
+  if (place.up > 0.0F) {
+    add_level(place.level + 1, place.up);
+  }
+  return sum;
 }
 
 EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const {
@@ -219,23 +231,30 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
     const f32::vec4 share = sunlight_at(shadow_, at);
     const f32::vec4 far_share = glm::max(share, f32::vec4(least_diffuse));
     const Place on_chart = place(at, point.x);
-    const f32::vec4 diffuse =
-        glm::mix(f32::small_sky_multiple(multiple, point.x, point.y, frame), chart(diffuse_, on_chart), on_chart.trust);
-    const f32::vec4 diffuse_share = glm::mix(far_share, chart(diffuse_left_, on_chart), on_chart.trust);
-    const f32::vec4 vertical_share = glm::mix(far_share / 3.0F, chart(vertical_left_, on_chart), on_chart.trust);
+    // Beyond the chart light comes evenly from all sides.
+    const float trust = on_chart.trust;
+    const Node node = chart(on_chart);
+    const f32::vec4 diffuse = glm::mix(f32::small_sky_multiple(multiple, point.x, point.y, frame), node.open, trust);
+    const f32::vec4 diffuse_share = glm::mix(far_share, node.left, trust);
+    const f32::vec4 vertical = glm::mix(f32::vec4(1.0F / 3.0F), node.vertical, trust);
+    const f32::vec4 vertical_share = glm::mix(far_share / 3.0F, node.vertical_left, trust);
     const f32::vec4 extinction = glm::max(here.extinction_per_km, f32::vec4(1.0e-9F));
     const f32::vec4 passed = glm::exp(-step_km * extinction);
     const f32::vec4 reach = left * (f32::vec4(1.0F) - passed) / extinction;
     const f32::vec4 even = (f32::vec4(1.0F) - air_->forward()) * here.aerosol_per_km;
     // Molecules scatter by the square of the cosine between light and view.
-    const f32::vec4 molecules_share =
-        0.75F * (diffuse_share + sine2 * vertical_share + 0.5F * (1.0F - sine2) * (diffuse_share - vertical_share));
+    const auto to_view = [&](const f32::vec4& all, const f32::vec4& upright) {
+      return 0.75F * (all + sine2 * upright + 0.5F * (1.0F - sine2) * (all - upright));
+    };
+    const f32::vec4 molecules_open = to_view(f32::vec4(1.0F), vertical);
+    const f32::vec4 molecules_share = to_view(diffuse_share, vertical_share);
     light.aerosol.open += reach * here.aerosol_per_km * sunlight;
     light.aerosol.eclipsed += reach * here.aerosol_per_km * sunlight * share;
     light.other.open +=
-        reach * here.molecules_per_km * molecules * sunlight + reach * (here.molecules_per_km + even) * diffuse;
-    light.other.eclipsed += reach * here.molecules_per_km * molecules * sunlight * share +
-                            reach * (here.molecules_per_km * molecules_share + even * diffuse_share) * diffuse;
+        reach * (here.molecules_per_km * (molecules * sunlight + molecules_open * diffuse) + even * diffuse);
+    light.other.eclipsed +=
+        reach * (here.molecules_per_km * (molecules * sunlight * share + molecules_share * diffuse) +
+                 even * diffuse * diffuse_share);
     left *= passed;
   }
   if (ray.meets_ground && with_ground) {
@@ -247,10 +266,10 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
     Place on_chart = place(at, 0.0F);
     on_chart.level = EclipsedAir::ground;
     on_chart.up = 0.0F;
-    const f32::vec4 diffuse = chart(diffuse_, on_chart);
-    const f32::vec4 diffuse_share = glm::mix(far_share, chart(diffuse_left_, on_chart), on_chart.trust);
-    light.other.open += left * air_->albedo() * (sunlight + diffuse);
-    light.other.eclipsed += left * air_->albedo() * (sunlight * share + diffuse * diffuse_share);
+    const Node node = chart(on_chart);
+    const f32::vec4 diffuse_share = glm::mix(far_share, node.left, on_chart.trust);
+    light.other.open += left * air_->albedo() * (sunlight + node.open);
+    light.other.eclipsed += left * air_->albedo() * (sunlight * share + node.open * diffuse_share);
   }
   const f32::mat4& responses = small.responses;
   return {{responses * light.aerosol.eclipsed, responses * light.aerosol.open},

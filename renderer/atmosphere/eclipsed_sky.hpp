@@ -49,21 +49,25 @@ public:
 private:
   static constexpr std::size_t side = 64;
   static constexpr double spacing_km = 16.0;
+  /// The diffuse light of a place as EclipsedAir gives it.
+  struct Node {
+    f32::vec4 open;          ///< without the Moon
+    f32::vec4 left;          ///< share of that which the Moon leaves
+    f32::vec4 vertical;      ///< EclipsedAir::Diffuse::vertical over `open`, without the Moon
+    f32::vec4 vertical_left; ///< and with it
+  };
   struct Place;
   struct Light;
 
   void fill_chart(std::size_t wavelength);
   [[nodiscard]] Place place(const f32::vec3& at_km, float height_km) const;
-  [[nodiscard]] f32::vec4 chart(const std::vector<f32::vec4>& values, const Place& place) const;
+  [[nodiscard]] Node chart(const Place& place) const;
   [[nodiscard]] Light march(const Vec3& view, bool with_ground) const;
 
   std::shared_ptr<const EclipsedAir> air_;
   MoonShadowInAir shadow_;
   double height_km_;
-  // By place of the air, row and column of the chart, as EclipsedAir gives it.
-  std::vector<f32::vec4> diffuse_left_;  ///< share of the diffuse light that is left
-  std::vector<f32::vec4> vertical_left_; ///< EclipsedAir::Diffuse::vertical over the diffuse light without the Moon
-  std::vector<f32::vec4> diffuse_;       ///< without the Moon
+  std::vector<Node> chart_; ///< by place of the air, row and column
 };
 
 } // namespace vesper
