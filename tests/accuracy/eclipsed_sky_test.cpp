@@ -169,8 +169,8 @@ TEST(EclipsedSky, PartialPhasesAgainstTheReference) {
     level.add(percent_off("level surface", static_cast<double>(eclipse.sky().level_ratio().y),
                           eclipse.reference_level(paths(4000))));
   }
-  errors.hold("luminance of the sky in partial phases up to 92 %", 5.0, "%");
-  level.hold("diffuse illuminance in partial phases up to 92 %", 5.0, "%");
+  errors.hold("luminance of the sky in partial phases up to 92 %", 1.0, "%");
+  level.hold("diffuse illuminance in partial phases up to 92 %", 1.0, "%");
 }
 
 // Dandekar and Turtle (1971, Applied Optics 10, 1220) found the zenith at totality darker than by day by about four

@@ -188,20 +188,19 @@ TEST_F(SkyPassTest, SmallTablesAreDrawnToo) {
 
 TEST_F(SkyPassTest, AnEclipseDimsTheMapPlaceByPlace) {
   options.air.medium = std::make_shared<const Medium>(published_medium());
-  for (const double height_km : {0.0, 11.0, 400.0}) {
-    for (const double apart_deg : {0.0, 0.2, 0.45, 0.7}) {
-      SkyState sky = sky_with(place(250.0, 30.0), place(250.0, 30.0 + apart_deg), height_km * kilometre);
-      sky.moon.place.distance = 362000.0 * kilometre;
-      sky.moon.phase_angle = 180.0 * deg;
-      const FramePlan plan = plan_frame(sky, view, {}, options);
-      ASSERT_NE(plan.eclipse.sky, nullptr);
-      const Difference difference = compare(sky);
-      std::printf("Moon %.2f deg from the Sun, %5.1f km: worst %.4f, rms %.5f, toward %.3f %.3f %.3f\n", apart_deg,
-                  height_km, difference.worst, difference.rms, worst_at.x, worst_at.y, worst_at.z);
-      EXPECT_GT(difference.pixels, 1000);
-      EXPECT_LT(difference.worst, 0.1) << apart_deg << " deg, " << height_km << " km";
-      EXPECT_LT(difference.rms, 0.02) << apart_deg << " deg, " << height_km << " km";
-    }
+  for (const auto& [height_km, apart_deg] :
+       {std::pair(0.0, 0.0), std::pair(0.0, 0.3), std::pair(11.0, 0.0), std::pair(400.0, 0.3)}) {
+    SkyState sky = sky_with(place(250.0, 30.0), place(250.0, 30.0 + apart_deg), height_km * kilometre);
+    sky.moon.place.distance = 362000.0 * kilometre;
+    sky.moon.phase_angle = 180.0 * deg;
+    ASSERT_NE(plan_frame(sky, view, {}, options).eclipse.sky, nullptr);
+    const Difference difference = compare(sky);
+    std::printf("Moon %.2f deg from the Sun, %5.1f km: worst %.4f, rms %.5f, toward %.3f %.3f %.3f\n", apart_deg,
+                height_km, difference.worst, difference.rms, worst_at.x, worst_at.y, worst_at.z);
+    EXPECT_GT(difference.pixels, 1000);
+    // In totality light goes over four magnitudes between the nodes of the map.
+    EXPECT_LT(difference.worst, apart_deg > 0.0 ? 0.01 : 0.05) << apart_deg << " deg, " << height_km << " km";
+    EXPECT_LT(difference.rms, apart_deg > 0.0 ? 0.001 : 0.004) << apart_deg << " deg, " << height_km << " km";
   }
 }
 
