@@ -24,7 +24,7 @@ namespace {
 
 bool thorough() { return std::getenv("VESPER_TEST_FULL") != nullptr; }
 
-std::uint64_t paths(std::uint64_t reduced) { return thorough() ? 20 * reduced : reduced; }
+std::uint64_t paths(std::uint64_t reduced) { return thorough() ? 8 * reduced : reduced; }
 
 /// An umbra 160 km wide at right angles to its axis, which passes `miss_km` north of the observer; the Sun stands
 /// south.
