@@ -50,13 +50,22 @@ std::optional<f32::MoonShadow> geometry_of(const Bodies& bodies) {
                          static_cast<float>(sun_radius_km)};
 }
 
-/// Of a node of the table over the gap, for discs as the observer sees them.
-double share_at(int node, const f32::MoonShadow& shadow, double wavelength_nm) {
+/// Of a node of the table over the gap, for discs as the observer sees them: by wavelength, corona included.
+std::vector<double> shares_at(int node, const f32::MoonShadow& shadow, std::span<const double> wavelengths_nm) {
   const f32::vec3 discs = f32::moon_shadow_discs({0.0F, 0.0F, 0.0F}, shadow);
   const auto sun = static_cast<double>(discs.x);
   const auto moon = static_cast<double>(discs.y);
   const double gap = f64::moon_shadow_node_gap(static_cast<double>(node) / (share_nodes - 1));
-  return sunlight_seen(sun, moon, std::max(0.0, (2.0 * gap - 1.0) * sun + moon), limb_darkening_power(wavelength_nm));
+  SolarEclipseState eclipse;
+  eclipse.sun_semidiameter = sun * rad;
+  eclipse.moon_semidiameter = moon * rad;
+  eclipse.separation = std::max(0.0, (2.0 * gap - 1.0) * sun + moon) * rad;
+  const Spectrum past_moon = sunlight_past_moon(eclipse);
+  std::vector<double> shares;
+  for (const double nm : wavelengths_nm) {
+    shares.push_back(past_moon(std::clamp(nm, past_moon.wavelengths_nm().front(), past_moon.wavelengths_nm().back())));
+  }
+  return shares;
 }
 
 std::optional<MoonShadowInAir> shadow_of(const Bodies& bodies, std::span<const double> wavelengths_nm) {
@@ -64,11 +73,14 @@ std::optional<MoonShadowInAir> shadow_of(const Bodies& bodies, std::span<const d
   if (!shadow) {
     return std::nullopt;
   }
+  if (wavelengths_nm.empty()) {
+    return MoonShadowInAir{*shadow, {}};
+  }
   MoonShadowInAir result{*shadow, std::vector<f32::vec4>(share_nodes, f32::vec4(0.0F))};
   for (int node = 0; node < share_nodes; ++node) {
-    for (std::size_t l = 0; l < wavelengths_nm.size(); ++l) {
-      result.shares[static_cast<std::size_t>(node)][static_cast<int>(l)] =
-          static_cast<float>(share_at(node, *shadow, wavelengths_nm[l]));
+    const std::vector<double> shares = shares_at(node, *shadow, wavelengths_nm);
+    for (std::size_t l = 0; l < shares.size(); ++l) {
+      result.shares[static_cast<std::size_t>(node)][static_cast<int>(l)] = static_cast<float>(shares[l]);
     }
   }
   return result;
@@ -92,9 +104,8 @@ LightShare moon_shadow_share(const SkyState& sky, std::span<const double> wavele
   }
   std::vector<double> table;
   for (int node = 0; node < share_nodes; ++node) {
-    for (const double nm : wavelengths_nm) {
-      table.push_back(share_at(node, *shadow, nm));
-    }
+    const std::vector<double> shares = shares_at(node, *shadow, wavelengths_nm);
+    table.insert(table.end(), shares.begin(), shares.end());
   }
   return [shadow = *shadow, table = std::move(table)](const Vec3& place_km, std::span<double> values) {
     const float gap = f32::moon_shadow_gap(f32::moon_shadow_discs(narrow(place_km), shadow));
