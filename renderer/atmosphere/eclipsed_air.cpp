@@ -16,8 +16,9 @@ constexpr std::size_t ray_nodes = 20; ///< above the horizon, and below it
 class BesselTable {
 public:
   explicit BesselTable(double last) {
-    for (double x = 0.0; x < last + 2.0 * step; x += step) {
-      values_.push_back(::j0(x));
+    const auto count = static_cast<int>(last / step) + 3;
+    for (int i = 0; i < count; ++i) {
+      values_.push_back(::j0(i * step));
     }
   }
   [[nodiscard]] double operator()(double x) const {
@@ -31,20 +32,16 @@ private:
   std::vector<double> values_;
 };
 
-struct HeightShare {
-  std::size_t below;
-  double above; ///< share of the next
-};
-
-HeightShare height_share(double height_km) {
-  const auto& heights = EclipsedAir::heights_km;
-  const auto next = std::upper_bound(heights.begin() + 1, heights.end() - 1, static_cast<float>(height_km));
-  const auto below = static_cast<std::size_t>(next - heights.begin()) - 1;
-  const double from = heights[below];
-  return {below, std::clamp((height_km - from) / (static_cast<double>(heights[below + 1]) - from), 0.0, 1.0)};
-}
-
 } // namespace
+
+EclipsedAir::HeightPlace EclipsedAir::height_place(float height_km) {
+  std::size_t below = 0;
+  while (below + 2 < heights_km.size() && height_km >= heights_km.at(below + 1)) {
+    ++below;
+  }
+  const float from = heights_km.at(below);
+  return {below, std::clamp((height_km - from) / (heights_km.at(below + 1) - from), 0.0F, 1.0F)};
+}
 
 EclipsedAir::EclipsedAir(const Medium& medium) : tables_(make_small_sky_tables(medium)) {
   const SunlitAir sunlit(medium, most_wavelengths);
@@ -73,7 +70,7 @@ void EclipsedAir::fill_transfers() {
   const SmallSkyTables& small = *tables_.small;
   const f32::SmallSkyFrame& frame = small.frame;
   const f32::sampler2D air{small.air.data(), frame.levels, 3};
-  const double ground_km = static_cast<double>(frame.ground_km);
+  const auto ground_km = static_cast<double>(frame.ground_km);
   static const std::vector<QuadratureNode> rule = gauss_legendre(ray_nodes);
   const BesselTable bessel(2500.0 * most_per_km);
   const std::size_t wavelengths = small.wavelengths_nm.size();
@@ -129,9 +126,10 @@ void EclipsedAir::fill_transfers() {
           const f32::vec4 sent = left * (f32::vec4(1.0F) - passed) / extinction *
                                  (here.molecules_per_km + here.aerosol_per_km - unscattered);
           wave_at(static_cast<double>(along));
-          const HeightShare share = height_share(static_cast<double>(at_km));
-          add(to, share.below, 1.0 - share.above, sent);
-          add(to, share.below + 1, share.above, sent);
+          const HeightPlace place = height_place(at_km);
+          const auto share = static_cast<double>(place.above);
+          add(to, place.below, 1.0 - share, sent);
+          add(to, place.below + 1, share, sent);
           left *= passed;
         }
         if (below) {

@@ -25,6 +25,12 @@ public:
   /// Heights at which light is known, crowded at the ground; behind them the ground itself is another place of light.
   static constexpr std::array heights_km{0.001F, 0.5F,  1.0F,  2.0F,  3.5F,  5.0F,  7.0F, 9.5F,
                                          12.5F,  16.0F, 20.0F, 25.0F, 32.0F, 42.0F, 60.0F};
+  /// Between which of them a height stands.
+  struct HeightPlace {
+    std::size_t below;
+    float above; ///< share of the next
+  };
+  [[nodiscard]] static HeightPlace height_place(float height_km);
   static constexpr std::size_t ground = heights_km.size();
   static constexpr std::size_t places = heights_km.size() + 1;
   static constexpr std::size_t most_wavelengths = 4;

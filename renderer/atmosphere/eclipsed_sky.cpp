@@ -76,7 +76,7 @@ void EclipsedSky::fill_chart(std::size_t wavelength) {
   using Complex = std::complex<double>;
   const auto channel = static_cast<int>(wavelength);
   const SmallSkyTables& small = *air_->tables().small;
-  const double ground_km = static_cast<double>(small.frame.ground_km);
+  const auto ground_km = static_cast<double>(small.frame.ground_km);
   const Vec3 to_sun(shadow_.shadow.to_sun);
   // Sunlight with the Moon in the real parts, without it in the imaginary ones: what the air makes of them is real.
   std::vector<std::vector<Complex>> planes(EclipsedAir::places, std::vector<Complex>(side * side));
@@ -149,17 +149,15 @@ EclipsedSky::Place EclipsedSky::place(const f32::vec3& at_km, float height_km) c
   const float y = std::clamp(half + scale * at_km.y, 0.0F, last);
   // Waves come round at the chart's edges.
   const float aside = std::max(std::abs(scale * at_km.x), std::abs(scale * at_km.y));
-  const auto& heights = EclipsedAir::heights_km;
-  const auto next = std::upper_bound(heights.begin() + 1, heights.end() - 1, height_km);
-  const auto below = static_cast<std::size_t>(next - heights.begin()) - 1;
+  const EclipsedAir::HeightPlace level_place = EclipsedAir::height_place(height_km);
   const auto column = std::min(static_cast<std::size_t>(x), side - 2);
   const auto row = std::min(static_cast<std::size_t>(y), side - 2);
   return {column,
           row,
-          below,
+          level_place.below,
           x - static_cast<float>(column),
           y - static_cast<float>(row),
-          std::clamp((height_km - heights[below]) / (heights[below + 1] - heights[below]), 0.0F, 1.0F),
+          level_place.above,
           1.0F - glm::smoothstep(half - 8.0F, half - 2.0F, aside)};
 }
 
@@ -190,7 +188,7 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
   const f32::SmallSkyFrame& frame = small.frame;
   const f32::sampler2D air = plane_of(small.air, frame.levels);
   const f32::sampler2D multiple = plane_of(small.multiple, frame.multiple_nodes);
-  const double ground_km = static_cast<double>(frame.ground_km);
+  const auto ground_km = static_cast<double>(frame.ground_km);
   const double origin_km = ground_km + height_km_;
   const double sine = std::clamp(view.z, -1.0, 1.0);
   // From outside the air, the ray begins where it enters.
