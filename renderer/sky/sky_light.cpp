@@ -43,11 +43,14 @@ Spectrum sunlight_of(const SkyState& sky) {
   return sky.solar_eclipse.magnitude > 0.0 ? filtered(whole, sunlight_past_moon(sky.solar_eclipse)) : whole;
 }
 
-std::vector<SkyLight> lights_of(const SkyState& sky) {
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
   const BodyPlace& moon = sky.moon.place;
   std::vector<SkyLight> lights{
-      {"sun", sky.sun.direction_horizon, angular_radius(sun_radius, sky.sun.distance), sunlight_of(sky)},
+      sun_light(sky.sun.direction_horizon, sky.sun.distance),
       {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight_of(sky)}};
+  if (sun == SunInEclipse::as_observed) {
+    lights[0].irradiance = sunlight_of(sky);
+  }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;

@@ -39,6 +39,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
+#include "lib/moon_shadow.glsl"
 #include "lib/moon_surface.glsl"
 #include "lib/lunar_eclipse.glsl"
 #include "lib/display.glsl"
@@ -133,6 +134,19 @@ std::string unproject_glsl(int kind) {
 
 std::vector<FunctionCase> function_cases() {
   std::vector<FunctionCase> cases{
+      {"moon shadow",
+       "vec4(moon_shadow_discs(v.xyz, MoonShadow(vec3(0.0, 0.6, 0.8), vec3(40.0, -8.0, 6.0), 3.6e5, 1738.1, 1.5e8, "
+       "6.96e5)), 0)",
+       [](const glm::vec4& v) {
+         return glm::vec4(
+             f32::moon_shadow_discs(glm::vec3(v),
+                                    {{0.0F, 0.6F, 0.8F}, {40.0F, -8.0F, 6.0F}, 3.6e5F, 1738.1F, 1.5e8F, 6.96e5F}),
+             0.0F);
+       },
+       {-900, -900, 0, 0},
+       {900, 900, 60, 0},
+       12,
+       1.0e-4F},
       {"hash",
        "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) {
