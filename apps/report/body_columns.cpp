@@ -36,9 +36,8 @@ constexpr std::array columns{
 } // namespace
 
 double seen_danjon_of(const SkyState& sky) {
-  return sky.lunar_eclipse.umbral_magnitude < 1.0
-             ? std::numeric_limits<double>::quiet_NaN()
-             : seen_danjon(dimming_v_mag(sunlight_on_moon(sky.lunar_eclipse, sky.eclipse_air, sky.tier)));
+  return sky.lunar_eclipse.umbral_magnitude < 1.0 ? std::numeric_limits<double>::quiet_NaN()
+                                                  : seen_danjon(dimming_v_mag(sunlight_on_moon(sky)));
 }
 
 std::span<const SceneColumn> body_columns() { return columns; }

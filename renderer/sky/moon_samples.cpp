@@ -53,6 +53,13 @@ template <class With> void for_seen(const MoonSamples& samples, const Vec3& obse
   }
 }
 
+float sunlit_reflectance(const MoonSample& sample, const f32::vec3& to_observer, const f32::MoonLighting& light) {
+  return glm::dot(sample.normal, light.to_sun) > -f32::lunar_relief_reach
+             ? f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer, light.to_sun,
+                                             light.sun_radius_rad, light.sun_law)
+             : 0.0F;
+}
+
 } // namespace
 
 MoonSamples sample_moon(const MoonMap& map, int places) {
@@ -83,11 +90,7 @@ MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer, c
     sums.earth += static_cast<double>(
         weight * f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer, light.to_earth,
                                                f32::earth_radius_from_moon_rad, light.earth_law));
-    if (glm::dot(sample.normal, light.to_sun) > -f32::lunar_relief_reach) {
-      sums.sun += static_cast<double>(weight * f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer,
-                                                                             light.to_sun, light.sun_radius_rad,
-                                                                             light.sun_law));
-    }
+    sums.sun += static_cast<double>(weight * sunlit_reflectance(sample, to_observer, light));
   });
   return {sums.sun / std::numbers::pi, sums.earth / std::numbers::pi};
 }
@@ -101,6 +104,17 @@ Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64:
                                                   f32::vec4(eclipse_xyzs(Vec3(sample.normal)))));
   });
   return sum;
+}
+
+void for_sunlit(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                const std::function<void(const MoonSample&, double)>& with) {
+  const f32::MoonLighting light = in_single(lighting);
+  for_seen(samples, observer, [&](const MoonSample& sample, const f32::vec3& to_observer, float solid_angle) {
+    const float reflectance = sunlit_reflectance(sample, to_observer, light);
+    if (reflectance > 0.0F) {
+      with(sample, static_cast<double>(solid_angle * sample.albedo * reflectance) / std::numbers::pi);
+    }
+  });
 }
 
 f32::MoonLighting in_single(const f64::MoonLighting& lighting) {

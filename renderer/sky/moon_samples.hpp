@@ -39,6 +39,10 @@ struct MoonLightSums {
 [[nodiscard]] Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
                                   const std::function<Vec4(const Vec3&)>& eclipse_xyzs);
 
+/// Calls `with` for the samples that the Sun lights, with the part of MoonLightSums::sun that is theirs.
+void for_sunlit(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                const std::function<void(const MoonSample&, double)>& with);
+
 /// Lighting as the GPU holds it.
 [[nodiscard]] f32::MoonLighting in_single(const f64::MoonLighting& lighting);
 

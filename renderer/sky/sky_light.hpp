@@ -29,8 +29,8 @@ struct SkyLight {
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
 /// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
 /// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.
-/// Eclipses dim them (eclipse_light.hpp): the Sun as it is seen by the observer, or as it shines on air far away from the
-/// Moon's shadow, for a sky that is dimmed place by place (EclipsedSky).
+/// Eclipses dim them (eclipse_light.hpp): the Sun as it is seen by the observer, or as it shines on air far away from
+/// the Moon's shadow, for a sky that is dimmed place by place (EclipsedSky).
 enum class SunInEclipse { as_observed, outside_the_shadow };
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun = SunInEclipse::as_observed);
 

@@ -2,6 +2,7 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/photometry.hpp"
+#include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_disc.hpp"
 #include "vesper/sky/sky_light.hpp"
 
@@ -93,6 +94,35 @@ template <class Surface> void compare(const Surface& surface, const std::string&
 
 TEST(MoonDisc, AddsUpToTheLightOfTheMoon) { compare(test::waved_surface, "a Moon with relief"); }
 TEST(MoonDisc, AddsUpToTheLightOfAnEvenMoon) { compare(test::even_surface, "an even Moon"); }
+
+TEST(MoonDisc, AddsUpToTheLightOfTheEclipsedMoon) {
+  // Each place with its own share of the sunlight against the mean over the disc that lights the air.
+  const MoonSamples samples = sample_moon(default_moon_map());
+  test::ErrorSum y;
+  test::ErrorSum others;
+  for (const char* middle : {"2010-12-21T08:17:00Z", "2011-06-15T20:12:37Z", "2012-06-04T11:03:00Z"}) {
+    for (int quarters = -12; quarters <= 12; ++quarters) {
+      const SkyState sky = sky_state(later(parse_instant(middle), 900.0 * quarters), mangalore);
+      const MoonDisc disc = moon_disc(sky, samples);
+      const LunarEclipseState& eclipse = sky.lunar_eclipse;
+      const LunarEclipseTable table = lunar_eclipse_table(eclipse, moon_illumination(sky).sunlit_moon);
+      const f64::EarthShadow shadow = earth_shadow(eclipse, sky.moon.moon_fixed_from_icrs);
+      const Vec3 moon_km = sky.moon.moon_fixed_from_icrs * eclipse.moon_km;
+      const Vec4 drawn = sum_moon_light(
+          samples, disc.distance / moon_mean_radius * disc.to_observer, disc.lighting, [&](const Vec3& normal) {
+            return f64::lunar_eclipse_shares(moon_km + moon_mean_radius.to(kilometre) * normal, shadow, table.frame,
+                                             table.sampler());
+          });
+      y.add(100.0 * (drawn.y / disc.illuminance.y - 1.0));
+      for (const double ratio :
+           {drawn.x / disc.illuminance.x, drawn.z / disc.illuminance.z, drawn.w / disc.illuminance.s}) {
+        others.add(100.0 * (ratio - 1.0));
+      }
+    }
+  }
+  y.hold("luminance over the eclipsed disc against the irradiance", 0.5, "%");
+  others.hold("X, Z and S of it", 0.7, "%");
+}
 
 double gain(const f64::LunarLaw& drawn, const f64::LunarLaw& law) {
   return (drawn.seeliger + drawn.lambert) / (law.seeliger + law.lambert);
