@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vesper {
 namespace {
@@ -29,13 +28,8 @@ bool lights_the_air(const SkyLight& light, Length height) {
 } // namespace
 
 SkyLight sun_light(const Vec3& direction, Length distance) {
-  const Spectrum& at_1au = solar_irradiance_1au();
-  const double scale = std::pow(astronomical_unit / distance, 2);
-  std::vector<double> irradiance = at_1au.values();
-  for (double& value : irradiance) {
-    value *= scale;
-  }
-  return {"sun", direction, angular_radius(sun_radius, distance), {at_1au.wavelengths_nm(), std::move(irradiance)}};
+  return {"sun", direction, angular_radius(sun_radius, distance),
+          scaled(solar_irradiance_1au(), std::pow(astronomical_unit / distance, 2))};
 }
 
 SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle) {
