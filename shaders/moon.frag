@@ -1,0 +1,45 @@
+// The Moon: a sphere with a map of albedo and normals, lit by Sun and Earth. ECLIPSE has the Earth's shadow on it.
+// LAMBERT is the yardstick of the benchmark: the same sphere and map under a law of cosines.
+#include "disc_stage.glsl"
+#include "lib/eclipse.glsl"
+#include "lib/moon_surface.glsl"
+#include "moon_block.glsl"
+
+layout(binding = 2) uniform samplerCube moon_map; // albedo and normal, mean-Earth axes
+
+// OpenGL counts a cube's directions left-handed.
+vec3 on_cube(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
+
+int disc_cells(DiscCell pixel) {
+  float reach = 1.0 + length(pixel.across) + length(pixel.down);
+  return dot(pixel.place, pixel.place) > reach * reach ? 0 : cells_for(pixel);
+}
+
+vec4 disc_light(DiscCell cell, out float hidden) {
+  float r = length(cell.place);
+  vec2 outward = cell.place / max(r, 1.0e-9);
+  float width = width_along(cell, outward);
+  hidden = disc_cover(r, width);
+  if (hidden == 0.0) {
+    return vec4(0.0);
+  }
+  vec2 place = disc_inner(r, width) * outward;
+  vec3 on_disc = disc_normal(place, block.disc.sine);
+  vec3 normal = moon.fixed_from_disc * on_disc;
+  // Towards the limb a pixel reaches ever further over the sphere, but not beyond the limb.
+  float height = max(sqrt(max(1.0 - dot(place, place), 0.0)), sqrt(0.5 * width));
+  vec3 along = moon.fixed_from_disc * vec3(cell.across, dot(place, cell.across) / height);
+  vec3 aside = moon.fixed_from_disc * vec3(cell.down, dot(place, cell.down) / height);
+  vec4 surface = textureGrad(moon_map, on_cube(normal), on_cube(along), on_cube(aside));
+  vec3 relief = normalize(surface.yzw);
+#ifdef LAMBERT
+  return surface.x / pi * max(dot(relief, moon.lighting.to_sun), 0.0) * moon.lighting.sunlit * hidden;
+#endif
+  vec3 to_observer = -(moon.fixed_from_disc * disc_sight(place, block.disc.sine));
+  vec4 eclipse = vec4(1.0);
+#ifdef ECLIPSE
+  eclipse = moon_eclipse(normal);
+#endif
+  vec4 light = moon_luminance(surface.x, normal, relief, to_observer, moon.lighting, eclipse);
+  return behind_air(light, cell.sin_altitude) * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
+}
