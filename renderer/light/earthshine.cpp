@@ -29,7 +29,8 @@ const Spectrum& polynomial_tint() {
   return tint;
 }
 
-/// Mueller's eq. 4 over the Moon's own phase angle. He gives half of what the full Earth sends; only its course is used.
+/// Mueller's eq. 4 over the Moon's own phase angle. He gives half of what the full Earth sends; only its course is
+/// used.
 double polynomial(double moon_phase_rad) {
   return moon_phase_rad * moon_phase_rad * (0.0289 - 0.0061 * moon_phase_rad) - 0.0105 * std::sin(moon_phase_rad);
 }

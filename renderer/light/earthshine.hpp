@@ -15,8 +15,8 @@ enum class EarthPhaseLaw {
 };
 
 /// The Earth's geometric albedo by wavelength, 300 to 900 nm: 0.434 (0.88 + 0.12 (550 nm / wavelength)^4), clouds with
-/// the blue of the air. Sunlight from it has a B-V of 0.46; earthlight was measured as 0.44 +- 0.02 (Thejll et al. 2014,
-/// A&A 563, A38). The Earth turns, and its clouds change by some 10 %: this is their mean.
+/// the blue of the air. Sunlight from it has a B-V of 0.46; earthlight was measured as 0.44 +- 0.02 (Thejll et al.
+/// 2014, A&A 563, A38). The Earth turns, and its clouds change by some 10 %: this is their mean.
 [[nodiscard]] const Spectrum& earth_albedo();
 
 /// Light of the whole Earth at a phase, against that at full phase. Measured: 10^(-0.4 (-1.060e-3 a + 2.054e-4 a^2)), a
@@ -39,10 +39,9 @@ enum class EarthPhaseLaw {
                                         EarthPhaseLaw law = EarthPhaseLaw::measured);
 
 /// The phase angle that earthlight has for an observer on the Earth: the Earth is as wide as a lamp of its disc, so it
-/// is nowhere 0. For an even disc of that radius the root of mean squares of what is seen at `from_centre` and of 2/3 of
-/// the radius, within 7 % of the mean angle.
-/// \param from_centre angle at the Moon between the observer and the Earth's centre
-/// \param radius of the Earth as seen from the Moon
+/// is nowhere 0. For an even disc of that radius the root of mean squares of what is seen at `from_centre` and of 2/3
+/// of the radius, within 7 % of the mean angle. \param from_centre angle at the Moon between the observer and the
+/// Earth's centre \param radius of the Earth as seen from the Moon
 [[nodiscard]] Angle earthlight_phase(Angle from_centre, Angle radius);
 
 } // namespace vesper

@@ -9,12 +9,12 @@ namespace vesper {
 inline constexpr Length moon_mean_distance = 384400.0 * kilometre;
 
 /// V magnitude of the whole Moon at mean distances (moon_mean_distance, 1 au), lit by the Sun alone:
-/// -12.73 + 0.026 a + 4e-9 a^4 with the phase angle a in degrees (Allen 1973, Astrophysical Quantities, as in Krisciunas
-/// and Schaefer 1991, PASP 103, 1033), brighter by the opposition surge 0.31 exp(-a / 2.5), whose sources stand in
-/// shaders/lib/moon_surface.glsl: -13.04 at 0 degrees, where the Earth's shadow lies, and -12.86 at 1.5, beside it.
-/// From 7 to 90 degrees it lies within 0.08 mag of the lunar irradiance model of Kieffer and Stone 2005. Beyond 150
-/// degrees, the end of the measurements, a sphere darkens with its surface's law unchanged: +infinity at 180.
-/// \param phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
+/// -12.73 + 0.026 a + 4e-9 a^4 with the phase angle a in degrees (Allen 1973, Astrophysical Quantities, as in
+/// Krisciunas and Schaefer 1991, PASP 103, 1033), brighter by the opposition surge 0.31 exp(-a / 2.5), whose sources
+/// stand in shaders/lib/moon_surface.glsl: -13.04 at 0 degrees, where the Earth's shadow lies, and -12.86 at 1.5,
+/// beside it. From 7 to 90 degrees it lies within 0.08 mag of the lunar irradiance model of Kieffer and Stone 2005.
+/// Beyond 150 degrees, the end of the measurements, a sphere darkens with its surface's law unchanged: +infinity at
+/// 180. \param phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
 [[nodiscard]] double moon_v_magnitude(Angle phase_angle);
 
 /// The albedo of the Moon's near side, 350 to 850 nm, to a scale: the mean of Velikodsky et al. 2011 (Icarus 214, 30,

@@ -51,6 +51,14 @@ Spectrum scaled(const Spectrum& spectrum, double factor) {
   return {spectrum.wavelengths_nm(), std::move(values)};
 }
 
+Spectrum added(const Spectrum& first, const Spectrum& second) {
+  std::vector<double> values = first.values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] += second(first.wavelengths_nm()[i]);
+  }
+  return {first.wavelengths_nm(), std::move(values)};
+}
+
 double planck_w_m2_sr_nm(double wavelength_nm, double temperature_k) {
   constexpr double h = 6.62607015e-34;
   constexpr double c = 299792458.0;

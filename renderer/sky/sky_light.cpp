@@ -6,6 +6,7 @@
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/eclipse_light.hpp"
+#include "vesper/sky/moon_illumination.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,16 +40,11 @@ SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Ang
 
 std::vector<SkyLight> lights_of(const SkyState& sky) {
   const BodyPlace& moon = sky.moon.place;
-  const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
-  const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
-                               moon_light(moon.direction_horizon, moon.distance,
-                                          glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
+  std::vector<SkyLight> lights{
+      sun_light(sky.sun.direction_horizon, sky.sun.distance),
+      {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight_of(sky)}};
   if (sky.solar_eclipse.magnitude > 0.0) {
     lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
-  }
-  if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
-    lights[1].irradiance = filtered(lights[1].irradiance, sunlight_on_moon(sky.lunar_eclipse));
   }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });

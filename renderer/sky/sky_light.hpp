@@ -19,7 +19,7 @@ struct SkyLight {
 };
 
 [[nodiscard]] SkyLight sun_light(const Vec3& direction, Length distance);
-/// \param phase_angle 0 to 180 degrees
+/// Lit by the Sun alone. \param phase_angle 0 to 180 degrees
 [[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
 
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones

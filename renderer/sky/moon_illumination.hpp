@@ -1,0 +1,29 @@
+// What lights the Moon, and the light that it gives an observer.
+#pragma once
+
+#include "vesper/light/earthshine.hpp"
+#include "vesper/light/lunar_surface.hpp"
+#include "vesper/light/spectrum.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+namespace vesper {
+
+struct MoonIllumination {
+  Length sun_distance;    ///< from the Moon
+  Length earth_distance;  ///< between the centres of Earth and Moon
+  Angle earth_phase;      ///< Sun-Earth-Moon, 0 to 180 degrees: about 180 less the Moon's
+  Angle earthlight_phase; ///< of earthlight on the Moon for the observer (earthlight_phase() in earthshine.hpp)
+  Spectrum earthlight;    ///< on the Moon, W/(m2 nm)
+  Spectrum sunlit_moon;   ///< what the observer gets of the Sun's light from the Moon, no eclipse, W/(m2 nm)
+  Spectrum earthlit_moon; ///< what the observer gets of the Earth's light from the Moon, W/(m2 nm)
+};
+
+/// Of the observer's own phase angle and distance.
+[[nodiscard]] MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law = EarthPhaseLaw::measured);
+
+/// Spectral irradiance of the whole Moon at the observer above the air, W/(m2 nm): sunlight, dimmed in an eclipse
+/// (eclipse_light.hpp), and earthlight. The one number that disc, air and ground are lit by.
+[[nodiscard]] Spectrum moonlight_of(const SkyState& sky);
+[[nodiscard]] Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination);
+
+} // namespace vesper
