@@ -1,7 +1,6 @@
-// The Moon: a sphere with a map of albedo and normals, lit by Sun and Earth. ECLIPSE has the Earth's shadow on it.
+// The Moon: a sphere with a map of albedo and normals, lit by Sun and Earth.
 // LAMBERT is the yardstick of the benchmark: the same sphere and map under a law of cosines.
 #include "disc_stage.glsl"
-#include "lib/eclipse.glsl"
 #include "lib/moon_surface.glsl"
 #include "moon_block.glsl"
 
@@ -37,9 +36,6 @@ vec4 disc_light(DiscCell cell, out float hidden) {
 #endif
   vec3 to_observer = -(moon.fixed_from_disc * disc_sight(place, block.disc.sine));
   vec4 eclipse = vec4(1.0);
-#ifdef ECLIPSE
-  eclipse = moon_eclipse(normal);
-#endif
   vec4 light = moon_luminance(surface.x, normal, relief, to_observer, moon.lighting, eclipse);
   return behind_air(light, cell.sin_altitude) * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
 }

@@ -1,0 +1,102 @@
+#include "vesper/gpu/moon_pass.hpp"
+
+#include <array>
+#include <cstddef>
+#include <epoxy/gl.h>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vesper::gpu {
+namespace {
+
+/// shaders/moon_block.glsl in std140.
+struct MoonBlock {
+  std::array<std::array<float, 4>, 3> fixed_from_disc;
+  std::array<float, 4> to_sun;
+  std::array<float, 4> to_earth;
+  std::array<float, 4> sunlit;
+  std::array<float, 4> earthlit;
+  std::array<float, 4> sun_law;
+  std::array<float, 4> earth_law;
+  float sun_radius_rad;
+  std::array<float, 3> padding;
+};
+static_assert(sizeof(MoonBlock) == 160);
+
+template <class V> std::array<float, 4> vector_of(const V& v) {
+  std::array<float, 4> result{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(V::length()); ++i) {
+    result.at(i) = static_cast<float>(v[static_cast<int>(i)]);
+  }
+  return result;
+}
+
+MoonBlock block_of(const PlannedMoon& moon) {
+  const f64::MoonLighting& light = moon.disc.lighting;
+  const auto law = [](const f64::LunarLaw& from) { return vector_of(Vec2(from.seeliger, from.lambert)); };
+  MoonBlock block{};
+  for (std::size_t column = 0; column < 3; ++column) {
+    block.fixed_from_disc.at(column) = vector_of(moon.fixed_from_disc[static_cast<int>(column)]);
+  }
+  block.to_sun = vector_of(light.to_sun);
+  block.to_earth = vector_of(light.to_earth);
+  block.sunlit = vector_of(light.sunlit);
+  block.earthlit = vector_of(light.earthlit);
+  block.sun_law = law(light.sun_law);
+  block.earth_law = law(light.earth_law);
+  block.sun_radius_rad = static_cast<float>(light.sun_radius_rad);
+  return block;
+}
+
+/// OpenGL lays a cube's faces out as OpenEXR does, but left-handed: with the third axis turned round.
+Texture cube_of(const MoonMap& map) {
+  constexpr std::array<GLint, 6> face_of_opengl{0, 1, 2, 3, 5, 4};
+  Texture texture = make_cube_texture(map.face_size);
+  const std::size_t face_floats =
+      std::size_t{4} * static_cast<std::size_t>(map.face_size) * static_cast<std::size_t>(map.face_size);
+  for (std::size_t face = 0; face < face_of_opengl.size(); ++face) {
+    glTextureSubImage3D(texture.name(), 0, 0, 0, face_of_opengl.at(face), map.face_size, map.face_size, 1, GL_RGBA,
+                        GL_FLOAT, &map.texels[face * face_floats]);
+  }
+  glGenerateTextureMipmap(texture.name());
+  require_no_error("copying the Moon's map");
+  return texture;
+}
+
+} // namespace
+
+MoonPass::MoonPass(const ShaderLibrary& library)
+    : disc_(library, "moon.frag"), point_(library), uniforms_(make_dynamic_buffer(sizeof(MoonBlock))) {}
+
+void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan, MoonShading shading) {
+  const PlannedMoon& moon = *plan.moon;
+  is_point_ = moon.picture.point.has_value();
+  if (is_point_) {
+    point_.place(*moon.picture.point, sky, view, plan);
+    return;
+  }
+  if (globe_ != moon.globe) {
+    map_ = cube_of(moon.globe->map);
+    globe_ = moon.globe;
+  }
+  std::vector<std::string> defines;
+  if (shading == MoonShading::lambert) {
+    defines.emplace_back("LAMBERT");
+  }
+  disc_.prepare(moon.picture, view, plan, defines);
+  const MoonBlock block = block_of(moon);
+  update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
+}
+
+void MoonPass::draw(const Strip& strip) {
+  if (is_point_) {
+    point_.draw(strip);
+    return;
+  }
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
+  glBindTextureUnit(2, map_.name());
+  disc_.draw(strip);
+}
+
+} // namespace vesper::gpu
