@@ -42,7 +42,7 @@ float width_along(DiscCell cell, vec2 toward) {
 }
 
 // Cells that a disc's radius should be cut into at least, and a pixel's edge at most.
-const float cells_of_radius = 16.0;
+const float cells_of_radius = 20.0;
 const int most_cells = 12;
 
 int cells_for(DiscCell pixel) {

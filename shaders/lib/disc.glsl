@@ -51,9 +51,16 @@ FN Real disc_cover(Real r, Real width) {
   return clamp(Real(0.5) + (edge - r) / width, Real(0.0), Real(1.0));
 }
 
-// Distance from the disc's centre at the middle of what is inside of the limb: where such a pixel takes its light.
+// Distance from the disc's centre at which the sphere is turned towards the observer as it is on the average over what
+// such a pixel has inside of the limb: where it takes its light. The cosine falls to the limb as a root does, so that
+// its mean is not that of the middle.
 FN Real disc_inner(Real r, Real width) {
-  return min(r, max(Real(0.5) * (r + Real(1.0) - Real(0.5) * width), Real(0.0)));
+  Real outer = r + Real(0.5) * width;
+  Real inner = max(r - Real(0.5) * width, Real(0.0));
+  Real a = sqrt(max(Real(1.0) - outer * outer, Real(0.0)));
+  Real b = sqrt(max(Real(1.0) - inner * inner, Real(1.0e-12)));
+  Real cosine = Real(2.0 / 3.0) * (a * a + a * b + b * b) / (a + b);
+  return sqrt(max(Real(1.0) - cosine * cosine, Real(0.0)));
 }
 
 // Unit vector from the observer to a place: x level, y up, z to the disc's centre. The last is more than 0.
