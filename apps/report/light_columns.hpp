@@ -10,9 +10,8 @@ namespace vesper {
 /// - horizontal_illuminance_lux: of Sun and Moon, their own light through the air (a disc that the horizon cuts counts
 ///   in part) and that of the sky and the ground.
 /// - zenith_luminance_cd_m2: of the sky there, without the discs of Sun and Moon.
-/// - sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2, and the same of the Moon:
-/// what
-///   the two before are sums of.
+/// - sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2, and the same of the
+///   Moon: what the two before are sums of.
 ///
 /// By the tables what is left out of them (docs/ACCURACY.md). By the reference, in seconds a column and row, each
 /// within the budget's relative error of itself, or of a hundredth of the darkest night where less light is; random

@@ -31,7 +31,7 @@ enum class LimbDarkening {
 
 /// Either law as a sum of powers of mu that are the same for all wavelengths, so that light of many wavelengths adds up
 /// term by term: brightness over the disc's mean = sum of terms[k] mu^(lowest + k step). Neckel's powers, 0.26 to 0.76,
-/// are interpolated (Lagrange): within 2e-5 of the disc's mean from 360 to 830 nm, the range of the response functions.
+/// are interpolated (Lagrange): within 6e-5 of the disc's mean from 360 to 830 nm, the range of the response functions.
 inline constexpr std::size_t limb_terms = 6;
 using LimbSeries = std::array<double, limb_terms>;
 struct LimbPowers {

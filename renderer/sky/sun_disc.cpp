@@ -3,10 +3,12 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/light/corona.hpp"
 #include "vesper/light/response_functions.hpp"
+#include "vesper/light/sunlight.hpp"
 #include "vesper/sky/corona_streamers.hpp"
 #include "vesper/sky/sky_light.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -30,16 +32,33 @@ Vec3 solar_north_pole() {
           std::sin(declination)};
 }
 
-f64::vec4 luminance(const Xyzs& light, double solid_angle) {
-  return f64::vec4(light.x, light.y, light.z, light.s) / solid_angle;
+/// What does not change with the Sun's distance: luminances.
+struct SunLuminance {
+  std::array<f64::vec4, limb_terms> limb;
+  f64::vec4 k_corona;
+  f64::vec4 f_corona;
+};
+
+SunLuminance luminance_of_sun(LimbDarkening law) {
+  const Spectrum& light = solar_irradiance_1au();
+  const double solid_angle = pi * std::pow(sun_radius / astronomical_unit, 2);
+  const auto luminance = [&](const Xyzs& lux) { return f64::vec4(lux.x, lux.y, lux.z, lux.s) / solid_angle; };
+  std::vector<double> reddened = light.values();
+  for (std::size_t i = 0; i < reddened.size(); ++i) {
+    reddened[i] *= dust_reddening(light.wavelengths_nm()[i]);
+  }
+  SunLuminance sun{{},
+                   corona_unit() * luminance(integrate_xyzs(light)),
+                   corona_unit() * luminance(integrate_xyzs({light.wavelengths_nm(), std::move(reddened)}))};
+  const std::array<Xyzs, limb_terms> terms = limb_xyzs(light, law);
+  std::transform(terms.begin(), terms.end(), sun.limb.begin(), luminance);
+  return sun;
 }
 
-Spectrum reddened_by_dust(const Spectrum& light) {
-  std::vector<double> values = light.values();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] *= dust_reddening(light.wavelengths_nm()[i]);
-  }
-  return {light.wavelengths_nm(), std::move(values)};
+const SunLuminance& sun_luminance(LimbDarkening law) {
+  static const SunLuminance neckel = luminance_of_sun(LimbDarkening::neckel);
+  static const SunLuminance hestroffer_magnan = luminance_of_sun(LimbDarkening::hestroffer_magnan);
+  return law == LimbDarkening::neckel ? neckel : hestroffer_magnan;
 }
 
 } // namespace
@@ -59,13 +78,10 @@ SunDisc sun_disc(const SkyState& sky, const SunOptions& options) {
   const LimbPowers powers = limb_powers(options.law);
   shading.lowest_power = powers.lowest;
   shading.power_step = powers.step;
-  const double solid_angle = pi * shading.sin_radius * shading.sin_radius;
-  const std::array<Xyzs, limb_terms> terms = limb_xyzs(sun.irradiance, options.law);
-  for (std::size_t k = 0; k < limb_terms; ++k) {
-    shading.limb[k] = luminance(terms.at(k), solid_angle);
-  }
-  shading.k_corona = corona_unit() * luminance(integrate_xyzs(sun.irradiance), solid_angle);
-  shading.f_corona = corona_unit() * luminance(integrate_xyzs(reddened_by_dust(sun.irradiance)), solid_angle);
+  const SunLuminance& luminance = sun_luminance(options.law);
+  std::copy(luminance.limb.begin(), luminance.limb.end(), std::begin(shading.limb));
+  shading.k_corona = luminance.k_corona;
+  shading.f_corona = luminance.f_corona;
   if (options.streamers) {
     const auto streamers = corona_streamers(options.activity.value_or(solar_activity(sky.instant)), options.seed);
     std::copy(streamers.begin(), streamers.end(), std::begin(shading.streamers));

@@ -1,6 +1,7 @@
 // Light and transmittance on the way to a point where they might fail: no way at all, the horizon, the ends of the air.
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/sky_to_point.hpp"
+#include "vesper/atmosphere/small_sky_tables.hpp"
 #include "vesper/base/error.hpp"
 
 #include "support/truth.hpp"
@@ -75,6 +76,11 @@ TEST_F(SkyToPoint, NothingLiesBetweenPointsOutsideTheAir) {
   EXPECT_EQ(toward_ground.light.y, 0.0);
   EXPECT_EQ(toward_ground.transmittance.y, 1.0);
   EXPECT_LT(way(400.0, -40.0, 800.0).transmittance.y, 1.0);
+}
+
+TEST_F(SkyToPoint, SmallTablesHaveNoWay) {
+  const SkyTables small = make_small_sky_tables(published_medium());
+  EXPECT_THROW(static_cast<void>(sky_way(small, query(0.0, 20.0, 10.0, 60.0), 10.0 * kilometre)), Error);
 }
 
 TEST_F(SkyToPoint, TheHorizonIsNoStepForNearPoints) {
