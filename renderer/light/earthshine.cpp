@@ -17,7 +17,7 @@ Spectrum make_earth_albedo() {
   std::vector<double> values;
   for (int nm = 300; nm <= 900; nm += 5) {
     wavelengths.push_back(nm);
-    values.push_back(earth_geometric_albedo * (0.88 + 0.12 * std::pow(550.0 / nm, 4)));
+    values.push_back(earth_geometric_albedo * (0.86 + 0.14 * std::pow(550.0 / nm, 4)));
   }
   return {std::move(wavelengths), std::move(values)};
 }

@@ -14,15 +14,15 @@ enum class EarthPhaseLaw {
   polynomial, ///< the fit to van de Hulst's sphere in Mueller, Engel and Doellner 2012, eq. 4, with its tint
 };
 
-/// The Earth's geometric albedo by wavelength, 300 to 900 nm: 0.434 (0.88 + 0.12 (550 nm / wavelength)^4), clouds with
-/// the blue of the air. Sunlight from it has a B-V of 0.46; earthlight was measured as 0.44 +- 0.02 (Thejll et al.
+/// The Earth's geometric albedo by wavelength, 300 to 900 nm: 0.434 (0.86 + 0.14 (550 nm / wavelength)^4), clouds with
+/// the blue of the air. Sunlight from it has a B-V of 0.45; earthlight was measured as 0.44 +- 0.02 (Thejll et al.
 /// 2014, A&A 563, A38). The Earth turns, and its clouds change by some 10 %: this is their mean.
 [[nodiscard]] const Spectrum& earth_albedo();
 
 /// Light of the whole Earth at a phase, against that at full phase. Measured: 10^(-0.4 (-1.060e-3 a + 2.054e-4 a^2)), a
 /// in degrees (Mallama and Hilton 2018, Astronomy and Computing 25, 10, eq. 5), observed to 170 degrees; at 180, where
-/// the air's rim is left, 0.003. Polynomial: 1 at 0, and 0 from 158 degrees where it would turn negative; it lies 25 %
-/// to 60 % above the measured one at 60 to 100 degrees.
+/// the air's rim is left, 0.003. Polynomial: within
+/// 2 % of it to 30 degrees, 1.6 times as much at 90, 2.2 times at 130, and 0 from 158 degrees, where it turns negative.
 /// \param earth_phase Sun-Earth-Moon, 0 to 180 degrees. Throws Error(argument) otherwise.
 [[nodiscard]] double earth_phase_light(Angle earth_phase, EarthPhaseLaw law = EarthPhaseLaw::measured);
 

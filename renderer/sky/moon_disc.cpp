@@ -3,12 +3,10 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
-#include "vesper/light/photometry.hpp"
 #include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vesper {
 namespace {
@@ -38,7 +36,7 @@ Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s};
 /// Light on the Moon in the colour that the surface gives it, with the illuminance that it has there.
 Vec4 coloured(const Spectrum& light, Angle phase_angle) {
   const Vec4 reflected = vector_of(integrate_xyzs(filtered(light, moon_albedo(phase_angle))));
-  return integrate_xyzs(light).y / reflected.y * reflected;
+  return reflected.y > 0.0 ? integrate_xyzs(light).y / reflected.y * reflected : Vec4(0.0);
 }
 
 f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
@@ -46,12 +44,17 @@ f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
 }
 
 /// Factor for a law whose disc gives `drawn` lux instead of `wanted`.
-double gain_of(double wanted, double drawn) { return wanted < largest_gain * drawn ? wanted / drawn : largest_gain; }
+double gain_of(double wanted, double drawn) {
+  if (wanted <= 0.0) {
+    return 0.0;
+  }
+  return wanted < largest_gain * drawn ? wanted / drawn : largest_gain;
+}
 
 } // namespace
 
-MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight light) {
-  const bool cheap = light == MoonLight::cheap;
+MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
+  const bool cheap = tier == Tier::cheap;
   const LunarSurface surface = cheap ? LunarSurface::cheap : LunarSurface::standard;
   MoonIllumination moon = moon_illumination(sky, cheap ? EarthPhaseLaw::polynomial : EarthPhaseLaw::measured);
   const Length distance = sky.moon.place.distance;
@@ -77,12 +80,11 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight li
   lighting.sun_law = scaled_law(lighting.sun_law, sun_gain);
   lighting.earth_law = scaled_law(lighting.earth_law, gain_of(earth_wanted, earth_drawn));
   if (sun_gain == largest_gain) {
-    moon.sunlit_moon = scaled(moon.sunlit_moon, sun_wanted > 0.0 ? sun_gain * sun_drawn / sun_wanted : 0.0);
+    moon.sunlit_moon = scaled(moon.sunlit_moon, sun_gain * sun_drawn / sun_wanted);
   }
 
   const Spectrum irradiance = moonlight_of(sky, moon);
-  const Xyzs illuminance = integrate_xyzs(irradiance);
-  const double solid_angle_sr = std::numbers::pi * std::pow(std::sin(radius.to(rad)), 2);
+  const MoonBrightness brightness = moon_brightness(irradiance, distance);
   return {sky.moon.place.direction_horizon,
           distance,
           radius,
@@ -90,9 +92,9 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonLight li
           to_observer,
           lighting,
           irradiance,
-          illuminance,
-          v_magnitude(irradiance),
-          illuminance.y / solid_angle_sr * candela_per_m2};
+          brightness.illuminance,
+          brightness.v_magnitude,
+          brightness.mean_luminance};
 }
 
 } // namespace vesper

@@ -8,10 +8,6 @@
 
 namespace vesper {
 
-/// Which of the published ways lights the Moon: cheap is Hapke, Lommel and Seeliger's law with Mueller's earthshine,
-/// standard the laws that follow measurements (lunar_surface.hpp, earthshine.hpp).
-enum class MoonLight { cheap, standard };
-
 struct MoonDisc {
   Vec3 direction;               ///< towards its centre, airless, horizon frame
   Length distance;              ///< of its centre from the observer
@@ -29,9 +25,10 @@ struct MoonDisc {
 };
 
 /// \param samples of the map that is drawn
+/// \param tier cheap for Hapke, Lommel and Seeliger's surface and Mueller's earthshine; else the laws that follow
+///        measurements (lunar_surface.hpp, earthshine.hpp)
 /// Within 12 degrees of new Moon, where the model's light falls faster than that of real relief, the disc is drawn with
 /// at most 4 times its law's light, and is `irradiance` what it then gives.
-[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples,
-                                 MoonLight light = MoonLight::standard);
+[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier = Tier::standard);
 
 } // namespace vesper

@@ -1,10 +1,13 @@
 #include "vesper/sky/moon_illumination.hpp"
 
+#include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
+#include "vesper/light/photometry.hpp"
 #include "vesper/sky/eclipse_light.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace vesper {
 namespace {
@@ -37,6 +40,12 @@ Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination)
   const Spectrum& sunlit = illumination.sunlit_moon;
   const bool eclipsed = sky.lunar_eclipse.penumbral_magnitude > 0.0;
   return added(eclipsed ? filtered(sunlit, sunlight_on_moon(sky.lunar_eclipse)) : sunlit, illumination.earthlit_moon);
+}
+
+MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance) {
+  const Xyzs illuminance = integrate_xyzs(irradiance);
+  const double solid_angle_sr = std::numbers::pi * std::pow(moon_mean_radius / distance, 2);
+  return {illuminance, v_magnitude(irradiance), illuminance.y / solid_angle_sr * candela_per_m2};
 }
 
 Spectrum moonlight_of(const SkyState& sky) { return moonlight_of(sky, moon_illumination(sky)); }

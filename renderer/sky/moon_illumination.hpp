@@ -3,6 +3,7 @@
 
 #include "vesper/light/earthshine.hpp"
 #include "vesper/light/lunar_surface.hpp"
+#include "vesper/light/response_functions.hpp"
 #include "vesper/light/spectrum.hpp"
 #include "vesper/sky/sky_state.hpp"
 
@@ -25,5 +26,13 @@ struct MoonIllumination {
 /// (eclipse_light.hpp), and earthlight. The one number that disc, air and ground are lit by.
 [[nodiscard]] Spectrum moonlight_of(const SkyState& sky);
 [[nodiscard]] Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination);
+
+struct MoonBrightness {
+  Xyzs illuminance;         ///< of the whole disc above the air, lux
+  double v_magnitude = 0.0; ///< of the whole disc above the air; +infinity without light
+  Luminance mean_luminance; ///< over the whole disc, lit or not, above the air
+};
+/// \param irradiance as moonlight_of() gives it \param distance of the Moon's centre from the observer
+[[nodiscard]] MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance);
 
 } // namespace vesper

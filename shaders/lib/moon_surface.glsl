@@ -118,13 +118,21 @@ FN Real cosine_to_disc(Real cosine, Real radius_rad) {
 // their surroundings reach 3.4 degrees beyond the terminator.
 CONSTANT Real lunar_relief_reach = Real(0.06);
 
+// The surface that is seen at a place, not normalised: near the limb what turns away hides behind what does not, so
+// that it is brought back to half the sphere's own cosine.
+FN vec3 lunar_relief_seen(vec3 sphere_normal, vec3 relief_normal, vec3 to_observer) {
+  Real lack = Real(0.5) * dot(sphere_normal, to_observer) - dot(relief_normal, to_observer);
+  return relief_normal + max(lack, Real(0.0)) * to_observer;
+}
+
 // Reflectance of a place with relief for light from one direction. Relief shades the day side and lights what rises
 // beyond the terminator, but not the night.
 FN Real lunar_relief_reflectance(vec3 sphere_normal, vec3 relief_normal, vec3 to_observer, vec3 to_light,
                                  Real light_radius_rad, LunarLaw law) {
   Real above_horizon = clamp(Real(1.0) + dot(sphere_normal, to_light) / lunar_relief_reach, Real(0.0), Real(1.0));
-  Real cos_incidence = above_horizon * cosine_to_disc(dot(relief_normal, to_light), light_radius_rad);
-  return lunar_reflectance(cos_incidence, max(dot(relief_normal, to_observer), Real(0.0)), law);
+  vec3 seen = lunar_relief_seen(sphere_normal, relief_normal, to_observer);
+  Real cos_incidence = above_horizon * cosine_to_disc(dot(seen, to_light), light_radius_rad);
+  return lunar_reflectance(cos_incidence, max(dot(seen, to_observer), Real(0.0)), law);
 }
 
 // What one picture's Moon is lit by. C++ fills it (vesper::MoonDisc).

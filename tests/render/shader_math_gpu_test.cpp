@@ -38,6 +38,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
+#include "lib/moon_surface.glsl"
 #include "lib/display.glsl"
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"
@@ -224,6 +225,29 @@ std::vector<FunctionCase> function_cases() {
        {4, 5, 0, 0},
        61,
        2.0e-4F},
+      {"lunar laws",
+       "vec4(lunar_law(v.x).seeliger, lunar_law(v.x).lambert, cheap_lunar_law(v.x).seeliger, lunar_phase(v.x))",
+       [](const glm::vec4& v) {
+         const f32::LunarLaw law = f32::lunar_law(v.x);
+         return glm::vec4(law.seeliger, law.lambert, f32::cheap_lunar_law(v.x).seeliger, f32::lunar_phase(v.x));
+       },
+       {0, 0, 0, 0},
+       {180, 0, 0, 0},
+       721,
+       2.0e-4F},
+      {"lunar_relief_reflectance",
+       "vec4(lunar_relief_reflectance(normalize(vec3(1.0, v.x, v.y)), normalize(vec3(1.0, v.y, v.z)), vec3(1.0, 0.0, "
+       "0.0),"
+       " normalize(vec3(v.z, 1.0, v.x)), 0.00465, LunarLaw(0.3, 0.2)), 0, 0, 0)",
+       [](const glm::vec4& v) {
+         return scalar(f32::lunar_relief_reflectance(
+             glm::normalize(glm::vec3(1.0F, v.x, v.y)), glm::normalize(glm::vec3(1.0F, v.y, v.z)), {1.0F, 0.0F, 0.0F},
+             glm::normalize(glm::vec3(v.z, 1.0F, v.x)), 0.00465F, {0.3F, 0.2F}));
+       },
+       {-3, -3, -3, 0},
+       {3, 3, 3, 0},
+       17,
+       1.0e-4F},
       // 5e-5 of full sunlight: GLSL's atan and asin are good to some 2e-7 rad of the Sun's 0.0093.
       {"earth_shadow_sunlight",
        "vec4(earth_shadow_sunlight(v.xyz, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9)), 0, 0, 0)",
