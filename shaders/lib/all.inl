@@ -15,5 +15,6 @@
 #include "vesper/shaders/lib/eclipse.glsl"
 #include "vesper/shaders/lib/moon_surface.glsl"
 #include "vesper/shaders/lib/sun.glsl"
+#include "vesper/shaders/lib/lunar_eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
