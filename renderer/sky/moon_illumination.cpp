@@ -39,7 +39,8 @@ MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
 Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination) {
   const Spectrum& sunlit = illumination.sunlit_moon;
   const bool eclipsed = sky.lunar_eclipse.penumbral_magnitude > 0.0;
-  return added(eclipsed ? filtered(sunlit, sunlight_on_moon(sky.lunar_eclipse, sky.eclipse_air, sky.tier)) : sunlit, illumination.earthlit_moon);
+  return added(eclipsed ? filtered(sunlit, sunlight_on_moon(sky.lunar_eclipse, sky.eclipse_air, sky.tier)) : sunlit,
+               illumination.earthlit_moon);
 }
 
 MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance) {
