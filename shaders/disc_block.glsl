@@ -10,5 +10,6 @@ layout(std140, binding = 0) uniform DiscBlock {
   float focal;
   float height_km;    // of the observer
   vec2 strip;         // first row and number of rows that the framebuffer holds
+  float cells_of_radius; // into which a small disc's radius is cut for its light, at least
   vec4 boxes[disc_most_boxes]; // low x, low y, high x, high y
 } block;

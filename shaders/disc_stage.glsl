@@ -1,6 +1,7 @@
 // The fragment stage of a disc: where a pixel lies on it, and its mean light. The stage that includes this defines
 // disc_light. PROJECTION is a number of projection.glsl, CHEAP selects the cheap tier's extinction.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
 #include "lib/extinction.glsl"
@@ -41,12 +42,11 @@ float width_along(DiscCell cell, vec2 toward) {
   return length(vec2(dot(cell.across, toward), dot(cell.down, toward)));
 }
 
-// Cells that a disc's radius should be cut into at least, and a pixel's edge at most.
-const float cells_of_radius = 20.0;
-const int most_cells = 12;
+// A pixel's edge is cut into that many cells at most.
+const int most_cells = 32;
 
 int cells_for(DiscCell pixel) {
-  return clamp(int(ceil(cells_of_radius * max(length(pixel.across), length(pixel.down)))), 1, most_cells);
+  return clamp(int(ceil(block.cells_of_radius * max(length(pixel.across), length(pixel.down)))), 1, most_cells);
 }
 
 // False outside of the picture's sphere and behind the disc's.

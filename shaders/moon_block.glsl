@@ -2,4 +2,7 @@
 layout(std140, binding = 1) uniform MoonBlock {
   mat3 fixed_from_disc; // mean-Earth axes from those of places on the disc
   MoonLighting lighting;
+  vec4 from_earth_km; // the Moon's centre, from the Earth's; w: the Moon's radius
+  EarthShadow shadow;
+  LunarEclipseFrame eclipse;
 } moon;

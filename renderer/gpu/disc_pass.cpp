@@ -23,7 +23,8 @@ struct DiscBlock {
   float focal;
   float height_km;
   std::array<float, 2> strip;
-  std::array<float, 2> more_padding;
+  float cells_of_radius;
+  float more_padding;
   std::array<std::array<float, 4>, most_boxes> boxes;
 };
 static_assert(sizeof(f32::DiscFrame) == 80 && sizeof(f32::RefractionFrame) == 32 &&
@@ -84,6 +85,7 @@ void DiscPass::prepare(const PlannedDisc& disc, const View& view, const FramePla
   block.size = {static_cast<float>(view.width), static_cast<float>(view.height)};
   block.focal = static_cast<float>(projection_frame(view).focal);
   block.height_km = static_cast<float>(plan.observer_height.to(kilometre));
+  block.cells_of_radius = static_cast<float>(disc.cells_of_radius);
   boxes_ = static_cast<int>(disc.boxes.size());
   for (std::size_t i = 0; i < disc.boxes.size(); ++i) {
     const PixelBox& box = disc.boxes[i];

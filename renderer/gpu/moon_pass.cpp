@@ -1,5 +1,7 @@
 #include "vesper/gpu/moon_pass.hpp"
 
+#include "vesper/astro/constants.hpp"
+
 #include <array>
 #include <cstddef>
 #include <epoxy/gl.h>
@@ -21,8 +23,14 @@ struct MoonBlock {
   std::array<float, 4> earth_law;
   float sun_radius_rad;
   std::array<float, 3> padding;
+  std::array<float, 4> from_earth_km;
+  f32::EarthShadow shadow;
+  std::array<float, 2> more_padding;
+  f32::LunarEclipseFrame eclipse;
+  std::array<float, 3> last_padding;
 };
-static_assert(sizeof(MoonBlock) == 160);
+static_assert(offsetof(MoonBlock, from_earth_km) == 160 && sizeof(f32::EarthShadow) == 24 &&
+              offsetof(MoonBlock, eclipse) == 208 && sizeof(f32::LunarEclipseFrame) == 36 && sizeof(MoonBlock) == 256);
 
 template <class V> std::array<float, 4> vector_of(const V& v) {
   std::array<float, 4> result{};
@@ -46,6 +54,19 @@ MoonBlock block_of(const PlannedMoon& moon) {
   block.sun_law = law(light.sun_law);
   block.earth_law = law(light.earth_law);
   block.sun_radius_rad = static_cast<float>(light.sun_radius_rad);
+  block.from_earth_km = vector_of(Vec4(moon.from_earth_km, moon_mean_radius.to(kilometre)));
+  block.shadow = {f32::vec3(moon.shadow.axis), static_cast<float>(moon.shadow.sun_distance_km),
+                  static_cast<float>(moon.shadow.sun_radius_km), static_cast<float>(moon.shadow.edge_radius_km)};
+  const f64::LunarEclipseFrame& frame = moon.eclipse.frame;
+  block.eclipse = {frame.kind,
+                   frame.inner,
+                   frame.outer,
+                   frame.rows,
+                   static_cast<float>(frame.first_km),
+                   static_cast<float>(frame.rows_per_km),
+                   static_cast<float>(frame.edge_km),
+                   static_cast<float>(frame.clear_km),
+                   static_cast<float>(frame.width_km)};
   return block;
 }
 
@@ -62,6 +83,20 @@ Texture cube_of(const MoonMap& map) {
   glGenerateTextureMipmap(texture.name());
   require_no_error("copying the Moon's map");
   return texture;
+}
+
+/// The published map has no table.
+Texture table_of(const LunarEclipseTable& eclipse) {
+  std::vector<float> rgba(4, 0.0F);
+  if (!eclipse.texels.empty()) {
+    rgba.clear();
+    for (const Vec4& texel : eclipse.texels) {
+      for (int channel = 0; channel < 4; ++channel) {
+        rgba.push_back(static_cast<float>(texel[channel]));
+      }
+    }
+  }
+  return make_table_texture(eclipse.texels.empty() ? 1 : eclipse.width(), rgba);
 }
 
 } // namespace
@@ -83,6 +118,9 @@ void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& p
   std::vector<std::string> defines;
   if (shading == MoonShading::lambert) {
     defines.emplace_back("LAMBERT");
+  } else if (moon.eclipse.frame.kind != f64::lunar_eclipse_none) {
+    defines.emplace_back("ECLIPSE");
+    eclipse_ = table_of(moon.eclipse);
   }
   disc_.prepare(moon.picture, view, plan, defines);
   const MoonBlock block = block_of(moon);
@@ -96,6 +134,7 @@ void MoonPass::draw(const Strip& strip) {
   }
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
   glBindTextureUnit(2, map_.name());
+  glBindTextureUnit(3, eclipse_.name());
   disc_.draw(strip);
 }
 

@@ -36,6 +36,7 @@ private:
   PointPass point_;
   Buffer uniforms_;
   Texture map_;
+  Texture eclipse_;
   std::shared_ptr<const MoonGlobe> globe_;
   bool is_point_ = false;
 };

@@ -1,8 +1,8 @@
 #include "vesper/plan/planned_disc.hpp"
 
 #include "vesper/base/error.hpp"
+#include "vesper/astro/constants.hpp"
 #include "vesper/light/response_functions.hpp"
-#include "vesper/sky/eclipse_light.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,9 +83,20 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   const bool cheap = scene.sky.tier == Tier::cheap;
   const MoonDisc disc = moon_disc(scene.sky, globe->samples, cheap ? MoonLight::cheap : MoonLight::standard);
   const Mat3 fixed_from_disc = disc.moon_fixed_from_horizon * horizon_from_disc(circle.direction);
-  PlannedMoon planned{{}, disc, fixed_from_disc, globe};
+  const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
+  const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
+  PlannedMoon planned{{},
+                      disc,
+                      fixed_from_disc,
+                      globe,
+                      lunar_eclipse_table(eclipse, disc.irradiance, scene.sky.eclipse_air, scene.sky.tier),
+                      earth_shadow(eclipse, fixed_from_icrs),
+                      fixed_from_icrs * eclipse.moon_km};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
+  // A crescent is cut as its width asks for.
+  const double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
+  planned.picture.cells_of_radius = std::clamp(12.0 / std::max(lit_width, 1.0e-3), 20.0, 64.0);
   const double width = disc_diameter_px(circle, scene.view, scene.refraction);
   if (width > 0.0 && width < narrowest_disc_px) {
     planned.picture.point = point_of(centre_of_light(planned, options.moon_scale), vector_of(planned.disc.illuminance),

@@ -6,6 +6,7 @@
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/disc_place.hpp"
 #include "vesper/plan/view.hpp"
+#include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_disc.hpp"
 #include "vesper/sky/moon_samples.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -49,6 +50,7 @@ struct PlannedDisc {
   f64::DiscFrame frame{};
   std::vector<PixelBox> boxes;
   std::optional<PointLight> point; ///< in place of the boxes
+  double cells_of_radius = 20.0;   ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
 /// (smallest_psf_sigma in shaders/lib/star_psf.glsl).
@@ -59,6 +61,9 @@ struct PlannedMoon {
   MoonDisc disc;
   Mat3 fixed_from_disc; ///< mean-Earth axes from those of horizon_from_disc
   std::shared_ptr<const MoonGlobe> globe;
+  LunarEclipseTable eclipse;
+  f64::EarthShadow shadow; ///< along mean-Earth axes
+  Vec3 from_earth_km;      ///< the Moon's centre from the Earth's, likewise
 };
 
 struct PlannedSun {

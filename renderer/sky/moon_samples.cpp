@@ -11,12 +11,6 @@
 namespace vesper {
 namespace {
 
-/// A place in [-1, 1]^2 of a face, right and up, as a vector through the cube.
-f64::vec3 through_cube(int face, double right, double up) {
-  const f64::vec3 view = f64::cube_face_axes(face) * f64::vec3(right, up, 1.0);
-  return {view.x, view.y, -view.z}; // the projection's forward axis is the cube's -Z
-}
-
 /// The map's four numbers between the texels of one face.
 f64::vec4 between_texels(const MoonMap& map, int face, double right, double up) {
   const auto at = [&](double place) {
@@ -72,7 +66,7 @@ MoonSamples sample_moon(const MoonMap& map, int cells) {
       for (int column = 0; column < cells; ++column) {
         const double right = 2.0 * (column + inside(0.7548776662466927, samples.size())) / cells - 1.0;
         const double up = 1.0 - 2.0 * (row + inside(0.5698402909980532, samples.size())) / cells;
-        const f64::vec3 place = through_cube(face, right, up);
+        const f64::vec3 place = f64::cube_direction(face, {right, up});
         const double radius = glm::length(place);
         const f64::vec4 texel = between_texels(map, face, right, up);
         samples.push_back({f32::vec3(place / radius), f32::vec3(glm::normalize(f64::vec3(texel.y, texel.z, texel.w))),
