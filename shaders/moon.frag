@@ -30,11 +30,10 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   vec2 place = disc_inner(r, width) * outward;
   vec3 on_disc = disc_normal(place, block.disc.sine);
   vec3 normal = moon.fixed_from_disc * on_disc;
-  // Towards the limb a pixel reaches ever further over the sphere, but not beyond the limb.
-  float height = max(sqrt(max(1.0 - dot(place, place), 0.0)), sqrt(0.5 * width));
-  vec3 along = moon.fixed_from_disc * vec3(cell.across, dot(place, cell.across) / height);
-  vec3 aside = moon.fixed_from_disc * vec3(cell.down, dot(place, cell.down) / height);
-  vec4 surface = textureGrad(moon_map, on_cube(normal), on_cube(along), on_cube(aside));
+  // Towards the limb a cell reaches ever further over the sphere. As fine as it is wide, so that relief is not smoothed
+  // away: its mean light is not that of its mean.
+  float texels = 0.5 * float(textureSize(moon_map, 0).x) * max(length(cell.across), length(cell.down));
+  vec4 surface = textureLod(moon_map, on_cube(normal), log2(texels));
   vec3 relief = normalize(surface.yzw);
 #ifdef LAMBERT
   return surface.x / pi * max(dot(relief, moon.lighting.to_sun), 0.0) * moon.lighting.sunlit * hidden;

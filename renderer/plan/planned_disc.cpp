@@ -80,8 +80,7 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   if (boxes.empty()) {
     return std::nullopt;
   }
-  const bool cheap = scene.sky.tier == Tier::cheap;
-  const MoonDisc disc = moon_disc(scene.sky, globe->samples, cheap ? MoonLight::cheap : MoonLight::standard);
+  const MoonDisc disc = moon_disc(scene.sky, globe->samples, scene.sky.tier);
   const Mat3 fixed_from_disc = disc.moon_fixed_from_horizon * horizon_from_disc(circle.direction);
   const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
   const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
@@ -89,7 +88,8 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
                       disc,
                       fixed_from_disc,
                       globe,
-                      lunar_eclipse_table(eclipse, disc.irradiance, scene.sky.eclipse_air, scene.sky.tier),
+                      lunar_eclipse_table(eclipse, moon_illumination(scene.sky).sunlit_moon, scene.sky.eclipse_air,
+                                          scene.sky.tier),
                       earth_shadow(eclipse, fixed_from_icrs),
                       fixed_from_icrs * eclipse.moon_km};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
