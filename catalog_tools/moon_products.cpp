@@ -89,9 +89,7 @@ FillReport fill(GlobeGrid& grid, const char* what) {
 
 } // namespace
 
-std::size_t moon_product_work(int face_size) {
-  return cube_texel_count(face_size) + cube_texel_count(face_size + 1);
-}
+std::size_t moon_product_work(int face_size) { return cube_texel_count(face_size) + cube_texel_count(face_size + 1); }
 
 MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const MoonProductOptions& options) {
   const int face_size = options.face_size;
@@ -124,10 +122,12 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
     const std::size_t column = i % n;
     const std::size_t face = row / n;
     const double* above = &heights[(face * (n + 1) + row % n) * (n + 1) + column];
-    const Vec2 place(side * (static_cast<double>(column) + 0.5) - 1.0, 1.0 - side * (static_cast<double>(row % n) + 0.5));
+    const Vec2 place(side * (static_cast<double>(column) + 0.5) - 1.0,
+                     1.0 - side * (static_cast<double>(row % n) + 0.5));
     const Vec3 normal = relief_normal(static_cast<int>(face), place, side, above, above + n + 1);
     for (int axis = 0; axis < 3; ++axis) {
-      map.texels[4 * i + 1 + static_cast<std::size_t>(axis)] = static_cast<float>(step * std::round(normal[axis] / step));
+      map.texels[4 * i + 1 + static_cast<std::size_t>(axis)] =
+          static_cast<float>(step * std::round(normal[axis] / step));
     }
     const CubeTexel texel = cube_texel(face_size, i);
     const double slope = std::acos(std::min(glm::dot(normal, texel.direction), 1.0));
@@ -137,14 +137,14 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
     disc_area += std::max(texel.direction.x, 0.0) * texel.solid_angle_sr;
   }
   report.mean_slope = std::sqrt(slopes / areas) * rad;
-  report.albedo_scale = moon_product_disc_albedo * disc_area / disc_light;
+  report.albedo_scale = lunar_geometric_albedo * disc_area / disc_light;
   const auto [least, most] = std::minmax_element(albedos.begin(), albedos.end());
   report.least_albedo = *least * report.albedo_scale;
   report.most_albedo = *most * report.albedo_scale;
   if (!(report.most_albedo <= 1.0)) {
     throw Error(ErrorKind::input,
                 fmt::format("the brightest texel has an albedo of {:.2f} when the disc has {}; allowed is 1",
-                            report.most_albedo, moon_product_disc_albedo),
+                            report.most_albedo, lunar_geometric_albedo),
                 {"", "", "Check the albedo map and its encoding"});
   }
   for (std::size_t i = 0; i < albedos.size(); ++i) {

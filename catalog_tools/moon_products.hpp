@@ -4,6 +4,7 @@
 #include "vesper/assets/moon_map.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/catalog_tools/globe_grid.hpp"
+#include "vesper/light/lunar_surface.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -12,10 +13,6 @@ namespace vesper {
 
 /// The sphere that the elevation stands on (the reference of LOLA's grids).
 inline constexpr Length moon_reference_radius = 1737.4 * kilometre;
-
-/// Mean albedo of the near side as it shows on the disc: the Moon of V = -12.73 at 384400 km, of 1737.4 km radius, lit
-/// by a Sun of V = -26.75.
-inline constexpr double moon_product_disc_albedo = 0.1207;
 
 struct MoonProductOptions {
   int face_size = 256; ///< texels along a side of the cube's faces: even, least_moon_face to most_moon_face
@@ -43,7 +40,7 @@ struct MoonProduct {
 /// Makes the cube map. Missing pixels are filled from those around them.
 ///
 /// A texel's albedo is the mean of the picture over the texel's area, times one number by which moon_disc_albedo of
-/// the map becomes moon_product_disc_albedo. Its normal is that of the surface r = R + h: n along e - grad h / r with
+/// the map becomes lunar_geometric_albedo. Its normal is that of the surface r = R + h: n along e - grad h / r with
 /// the mean gradient over the texel, from the heights at its corners, each a mean over an area of a texel's size. The
 /// gradient is taken on the cube's faces, so that no direction is special but the sampling of the grids near the
 /// poles. To keep files small, albedos are rounded to 12 bits (0.0122 % at most) and the components of normals to 1/128

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <numbers>
 #include <string>
@@ -31,6 +32,7 @@ SkyState sky_on(double days_after_new_year) {
 /// Instants through a year, with every phase and libration.
 std::vector<SkyState> skies(int count) {
   std::vector<SkyState> states;
+  states.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     states.push_back(sky_on(365.25 * (i + 0.37) / count));
   }

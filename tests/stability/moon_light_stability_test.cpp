@@ -188,8 +188,8 @@ TEST(MoonLightStability, EclipseSharesOfOneAreNoEclipse) {
 
 TEST(MoonLightStability, RefusesMapsThatAreNone) {
   EXPECT_THROW(static_cast<void>(sample_moon({}, 8)), Error);
-  EXPECT_THROW(static_cast<void>(sample_moon({4, std::vector<float>(24 * 16 - 1)}, 8)), Error);
-  EXPECT_THROW(static_cast<void>(sample_moon({-4, std::vector<float>(24 * 16)}, 8)), Error);
+  EXPECT_THROW(static_cast<void>(sample_moon({4, std::vector<float>(383)}, 8)), Error);
+  EXPECT_THROW(static_cast<void>(sample_moon({-4, std::vector<float>(384)}, 8)), Error);
   EXPECT_THROW(static_cast<void>(sample_moon(test::map_of(test::even_surface, 2), 0)), Error);
   EXPECT_EQ(sample_moon(test::map_of(test::even_surface, 1), 1).size(), 6U);
 }

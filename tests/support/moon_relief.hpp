@@ -1,6 +1,7 @@
 // A Moon of formulas: plains and mountains that a map and an integral can both be made of.
 #pragma once
 
+#include "vesper/assets/cube_texels.hpp"
 #include "vesper/assets/moon_map.hpp"
 #include "vesper/base/vector.hpp"
 
@@ -39,23 +40,14 @@ inline SurfacePlace waved_surface(const Vec3& at) {
 /// An even sphere.
 inline SurfacePlace even_surface(const Vec3& at) { return {0.12, at}; }
 
-/// A map of such a surface. The faces as OpenEXR lays them out: right and down in each, as axes of the cube.
+/// A map of such a surface.
 template <class Surface> MoonMap map_of(const Surface& surface, int face_size) {
-  static const std::array<Mat3, 6> right_down_outward{
-      Mat3({0, 0, 1}, {0, -1, 0}, {1, 0, 0}),  Mat3({0, 0, -1}, {0, -1, 0}, {-1, 0, 0}),
-      Mat3({1, 0, 0}, {0, 0, -1}, {0, 1, 0}),  Mat3({1, 0, 0}, {0, 0, 1}, {0, -1, 0}),
-      Mat3({-1, 0, 0}, {0, -1, 0}, {0, 0, 1}), Mat3({1, 0, 0}, {0, -1, 0}, {0, 0, -1})};
   MoonMap map;
   map.face_size = face_size;
-  for (const Mat3& face : right_down_outward) {
-    for (int row = 0; row < face_size; ++row) {
-      for (int column = 0; column < face_size; ++column) {
-        const auto at = [&](int i) { return (2.0 * i + 1.0) / face_size - 1.0; };
-        const SurfacePlace place = surface(glm::normalize(face * Vec3(at(column), at(row), 1.0)));
-        for (const double value : {place.albedo, place.normal.x, place.normal.y, place.normal.z}) {
-          map.texels.push_back(static_cast<float>(value));
-        }
-      }
+  for (std::size_t i = 0; i < cube_texel_count(face_size); ++i) {
+    const SurfacePlace place = surface(cube_texel(face_size, i).direction);
+    for (const double value : {place.albedo, place.normal.x, place.normal.y, place.normal.z}) {
+      map.texels.push_back(static_cast<float>(value));
     }
   }
   return map;
