@@ -70,25 +70,21 @@ protected:
   }
 
   void hold(Body body, const char* name, const SkyState& sky, double limit) {
-    for (const DiscCase& of : std::initializer_list<DiscCase>{{Projection::perspective, 0.6, 256},
-                                                              {Projection::perspective, 2.0, 128},
-                                                              {Projection::perspective, 10.0, 128},
-                                                              {Projection::perspective, 60.0, 512},
-                                                              {Projection::perspective, 140.0, 1024},
-                                                              {Projection::fisheye, 0.6, 64},
-                                                              {Projection::fisheye, 180.0, 512},
-                                                              {Projection::fisheye, 180.0, 1024},
-                                                              {Projection::fisheye, 300.0, 1024},
-                                                              {Projection::stereographic, 2.0, 256},
-                                                              {Projection::stereographic, 180.0, 1200},
-                                                              {Projection::equirectangular, 0.0, 2400},
-                                                              {Projection::cubemap, 0.0, 600},
-                                                              {Projection::cubemap, 0.0, 100}}) {
+    for (const DiscCase& of : std::initializer_list<DiscCase>{{Projection::perspective, 0.6, 160},
+                                                              {Projection::perspective, 2.0, 64},
+                                                              {Projection::perspective, 10.0, 100},
+                                                              {Projection::perspective, 60.0, 400},
+                                                              {Projection::fisheye, 180.0, 800},
+                                                              {Projection::fisheye, 180.0, 64},
+                                                              {Projection::stereographic, 2.0, 128},
+                                                              {Projection::equirectangular, 0.0, 1600},
+                                                              {Projection::cubemap, 0.0, 400},
+                                                              {Projection::cubemap, 0.0, 60}}) {
       const std::string what =
           std::string("light of the ") + name + ", " +
           std::string(projection_names()[static_cast<std::size_t>(of.projection)]) + " " +
           (of.fov_deg > 0.0 ? std::to_string(of.fov_deg).substr(0, 5) + " deg, " : "") + std::to_string(of.size) + " px";
-      errors(body, sky, of, of.size > 1000 ? 3 : 6).hold(what, limit, "of it");
+      errors(body, sky, of, of.size >= 400 ? 2 : 4).hold(what, limit, "of it");
     }
   }
 
