@@ -56,15 +56,15 @@ bool cell_at(vec2 at, float size, out DiscCell cell) {
   vec3 beside;
   vec3 below;
   bool inside = unproject(at, frame, direction);
-  // A quarter of a pixel on, so that a cube's face is not left.
-  unproject(at + vec2(0.25, 0.0), frame, beside);
-  unproject(at + vec2(0.0, 0.25), frame, below);
+  // A quarter of the cell on, so that a cube's face is not left.
+  unproject(at + vec2(0.25 * size, 0.0), frame, beside);
+  unproject(at + vec2(0.0, 0.25 * size), frame, below);
   cell.sin_altitude = dot(block.disc.zenith, direction);
   float cos_altitude = sqrt(max(1.0 - cell.sin_altitude * cell.sin_altitude, 0.0));
   float bend = refraction_bend(dvec3(cos_altitude, 0.0, cell.sin_altitude), true, block.refraction, refraction_table);
   cell.place = disc_place(direction, bend, block.disc);
-  cell.across = disc_step((4.0 * size) * (beside - direction), block.disc);
-  cell.down = disc_step((4.0 * size) * (below - direction), block.disc);
+  cell.across = disc_step(4.0 * (beside - direction), block.disc);
+  cell.down = disc_step(4.0 * (below - direction), block.disc);
   return inside && dot(direction, block.disc.centre) > 0.0;
 }
 

@@ -30,10 +30,7 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   vec2 place = disc_inner(r, width) * outward;
   vec3 on_disc = disc_normal(place, block.disc.sine);
   vec3 normal = moon.fixed_from_disc * on_disc;
-  // Towards the limb a cell reaches ever further over the sphere. As fine as it is wide, so that relief is not smoothed
-  // away: its mean light is not that of its mean.
-  float texels = 0.5 * float(textureSize(moon_map, 0).x) * max(length(cell.across), length(cell.down));
-  vec4 surface = textureLod(moon_map, on_cube(normal), log2(texels));
+  vec4 surface = textureLod(moon_map, on_cube(normal), moon.map_level);
   vec3 relief = normalize(surface.yzw);
 #ifdef LAMBERT
   return surface.x / pi * max(dot(relief, moon.lighting.to_sun), 0.0) * moon.lighting.sunlit * hidden;

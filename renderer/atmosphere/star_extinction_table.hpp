@@ -37,7 +37,8 @@ struct StarExtinction {
                                                   const std::optional<RefractionConditions>& bending);
 
 /// The same for light that began as sunlight: the Sun's disc to its limb, the Moon by day and night, eclipsed or not.
-/// Columns are sunlight times powers of the wavelength from -4 to 20.
+/// Columns are sunlight times powers of the wavelength from -4 to 20. For the full Moon's light each of X, Y, Z and S
+/// is within 0.6 % of the integral above 5 degrees and 3 % down to 1 degree.
 [[nodiscard]] StarExtinction make_sunlight_extinction(const Medium& medium, Length height,
                                                       const std::optional<RefractionConditions>& bending);
 

@@ -34,18 +34,15 @@ static_assert(offsetof(DiscBlock, refraction) == 80 && offsetof(DiscBlock, extin
               offsetof(DiscBlock, boxes) == 192 && sizeof(DiscBlock) == 288);
 
 f32::DiscFrame single(const f64::DiscFrame& disc) {
-  return {disc.centre,       float(disc.sine),       disc.right,        float(disc.scale),
-          disc.upward,       float(disc.flattening), disc.zenith,       float(disc.along),
-          float(disc.turn),  float(disc.up_centre),  float(disc.up_zenith), 0.0F};
+  return {disc.centre,           float(disc.sine),      disc.right,
+          float(disc.scale),     disc.upward,           float(disc.flattening),
+          disc.zenith,           float(disc.along),     float(disc.turn),
+          float(disc.up_centre), float(disc.up_zenith), 0.0F};
 }
 
 f32::RefractionFrame single(const f64::RefractionFrame& frame) {
-  return {frame.kind,
-          float(frame.strength),
-          float(frame.horizon_apparent),
-          float(frame.horizon_true),
-          frame.scale_apparent,
-          frame.scale_true};
+  return {frame.kind,           float(frame.strength), float(frame.horizon_apparent), float(frame.horizon_true),
+          frame.scale_apparent, frame.scale_true};
 }
 
 f32::StarExtinctionFrame single(const f64::StarExtinctionFrame& frame) {

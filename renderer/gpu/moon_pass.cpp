@@ -2,7 +2,9 @@
 
 #include "vesper/astro/constants.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <epoxy/gl.h>
 #include <span>
@@ -28,9 +30,12 @@ struct MoonBlock {
   std::array<float, 2> more_padding;
   f32::LunarEclipseFrame eclipse;
   std::array<float, 3> last_padding;
+  float map_level;
+  std::array<float, 3> end;
 };
 static_assert(offsetof(MoonBlock, from_earth_km) == 160 && sizeof(f32::EarthShadow) == 24 &&
-              offsetof(MoonBlock, eclipse) == 208 && sizeof(f32::LunarEclipseFrame) == 36 && sizeof(MoonBlock) == 256);
+              offsetof(MoonBlock, eclipse) == 208 && sizeof(f32::LunarEclipseFrame) == 36 &&
+              offsetof(MoonBlock, map_level) == 256 && sizeof(MoonBlock) == 272);
 
 template <class V> std::array<float, 4> vector_of(const V& v) {
   std::array<float, 4> result{};
@@ -38,6 +43,14 @@ template <class V> std::array<float, 4> vector_of(const V& v) {
     result.at(i) = static_cast<float>(v[static_cast<int>(i)]);
   }
   return result;
+}
+
+/// The mipmap whose texels are as wide as the cells at the disc's middle: one for all of it. Towards the limb cells
+/// reach ever further over the sphere, but relief must not be smoothed away there: its mean light is not that of its
+/// mean.
+double map_level(const PlannedMoon& moon) {
+  const double cell = std::min(2.0 / std::max(moon.picture.width_px, 1.0), 1.0 / moon.picture.cells_of_radius);
+  return std::max(std::log2(0.5 * moon.globe->map.face_size * cell), 0.0);
 }
 
 MoonBlock block_of(const PlannedMoon& moon) {
@@ -67,6 +80,7 @@ MoonBlock block_of(const PlannedMoon& moon) {
                    static_cast<float>(frame.edge_km),
                    static_cast<float>(frame.clear_km),
                    static_cast<float>(frame.width_km)};
+  block.map_level = static_cast<float>(map_level(moon));
   return block;
 }
 

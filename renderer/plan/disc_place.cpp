@@ -48,6 +48,15 @@ public:
     return glm::dot(place, centre_) > 0.0 && glm::length(glm::cross(place, centre_)) < 1.05 * sine_ + 1.0e-4;
   }
 
+  /// Whether the circle reaches into a cone about a direction of view axes.
+  [[nodiscard]] bool reaches(const Vec3& axis, double half_angle) const {
+    double nearest = -1.0;
+    for (const Vec3& point : points) {
+      nearest = std::max(nearest, glm::dot(point, axis));
+    }
+    return nearest > std::cos(half_angle) || holds(axis);
+  }
+
   std::array<Vec3, 96> points{}; ///< as they are seen, along view axes
   Vec3 centre{};
 
@@ -89,7 +98,14 @@ std::optional<PixelBox> clipped(const Extent& extent, const PixelBox& part) {
 }
 
 /// The part of a picture, or of a cube's face, in which a projection about one point shows the circle.
-std::optional<PixelBox> box_about(const Limb& limb, const f64::ProjectionFrame& frame, int face, const PixelBox& part) {
+/// \param axis through its middle, view axes
+std::optional<PixelBox> box_about(const Limb& limb, const f64::ProjectionFrame& frame, int face, const Vec3& axis,
+                                  const PixelBox& part) {
+  const bool plane = frame.kind == f64::projection_perspective || frame.kind == f64::projection_cubemap;
+  const double corner_px = 0.5 * std::hypot(part.high_x - part.low_x + 4, part.high_y - part.low_y + 4);
+  if (plane && !limb.reaches(axis, std::atan(corner_px / frame.focal))) {
+    return std::nullopt;
+  }
   Extent extent;
   std::size_t missing = 0;
   for (const Vec3& point : limb.points) {
@@ -183,7 +199,9 @@ std::vector<PixelBox> disc_boxes(const SkyCircle& circle, const View& view, cons
   std::vector<PixelBox> boxes;
   if (view.projection == Projection::cubemap) {
     for (int face = 0; face < 6; ++face) {
-      if (const auto box = box_about(limb, frame, face, {0, face * view.width, view.width, (face + 1) * view.width})) {
+      const Vec3 axis = f64::cube_from_view(f64::cube_face_axes(face)[2]);
+      if (const auto box =
+              box_about(limb, frame, face, axis, {0, face * view.width, view.width, (face + 1) * view.width})) {
         boxes.push_back(*box);
       }
     }
@@ -191,7 +209,7 @@ std::vector<PixelBox> disc_boxes(const SkyCircle& circle, const View& view, cons
   }
   // Round pictures have the point behind the camera all around them.
   const bool around = view.projection != Projection::perspective && limb.holds({0.0, 0.0, -1.0});
-  if (const auto box = around ? std::optional(all) : box_about(limb, frame, 0, all)) {
+  if (const auto box = around ? std::optional(all) : box_about(limb, frame, 0, {0.0, 0.0, 1.0}, all)) {
     boxes.push_back(*box);
   }
   return boxes;

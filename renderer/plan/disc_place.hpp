@@ -29,7 +29,8 @@ struct SkyCircle {
 /// The circle in the form of shaders/lib/disc.glsl.
 [[nodiscard]] f64::DiscFrame disc_frame(const SkyCircle& circle, const View& view, const Refraction& refraction);
 
-/// The axes of places on the disc (level, upward, to its centre) along the horizon frame's, without refraction: columns.
+/// The axes of places on the disc (level, upward, to its centre) along the horizon frame's, without refraction:
+/// columns.
 [[nodiscard]] Mat3 horizon_from_disc(const Vec3& direction);
 
 /// Few boxes that hold all pixels that show some of the circle, and not many others: one, two where the picture wraps

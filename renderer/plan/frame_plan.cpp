@@ -63,9 +63,13 @@ Vec4 share_through_air(const FramePlan& plan, double sin_altitude, const Vec4& l
 }
 
 void plan_discs(const SkyState& sky, const View& view, FramePlan& plan) {
-  DiscScene scene{sky, view, plan.refraction,
-                  [&plan](double sin_altitude, const Vec4& light) { return share_through_air(plan, sin_altitude, light); },
-                  std::nullopt, !plan.lights.empty()};
+  DiscScene scene{
+      sky,
+      view,
+      plan.refraction,
+      [&plan](double sin_altitude, const Vec4& light) { return share_through_air(plan, sin_altitude, light); },
+      std::nullopt,
+      !plan.lights.empty()};
   if (has(plan.options.layers, Layer::ground)) {
     scene.ground_sin_altitude = plan.horizon_sin_altitude;
   }

@@ -72,18 +72,19 @@ struct FramePlan {
   std::size_t star_count = 0; ///< a prefix of the catalogue
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
-  std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
+  std::shared_ptr<const PlannedExtinction> extinction;          ///< for the others; none where the air takes nothing
   std::shared_ptr<const PlannedExtinction> sunlight_extinction; ///< the same for Moon and Sun
   std::optional<PlannedMoon> moon;                              ///< none where it does not show
   std::optional<PlannedSun> sun;
-  std::vector<PlannedLight> lights;                    ///< of the layer `sky`; none where it is not drawn
-  Refraction refraction;                               ///< with its table
+  std::vector<PlannedLight> lights; ///< of the layer `sky`; none where it is not drawn
+  Refraction refraction;            ///< with its table
   Length observer_height;
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
-/// \param before the plan of an earlier frame, whose tables of extinction serve again (and need not be made, in 3 ms each)
+/// \param before the plan of an earlier frame, whose tables of extinction serve again (and need not be made, in 3 ms
+/// each)
 ///        where medium, height and the air that bends the light are the same
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);

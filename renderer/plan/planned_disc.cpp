@@ -1,7 +1,7 @@
 #include "vesper/plan/planned_disc.hpp"
 
-#include "vesper/base/error.hpp"
 #include "vesper/astro/constants.hpp"
+#include "vesper/base/error.hpp"
 #include "vesper/light/response_functions.hpp"
 
 #include <algorithm>
@@ -50,9 +50,9 @@ Vec3 centre_of_light(const PlannedMoon& moon, double scale) {
     const f32::vec3 to_observer = glm::normalize(observer - sample.normal);
     const float share = sample.solid_angle * glm::dot(sample.normal, to_observer);
     if (share > 0.0F) {
-      const auto light = static_cast<double>(share * f32::moon_luminance(sample.albedo, sample.normal, sample.relief,
-                                                                         to_observer, lighting, f32::vec4(1.0F))
-                                                         .y);
+      const auto light = static_cast<double>(
+          share *
+          f32::moon_luminance(sample.albedo, sample.normal, sample.relief, to_observer, lighting, f32::vec4(1.0F)).y);
       weighted += light * Vec3(sample.normal);
       sum += light;
     }
@@ -84,20 +84,21 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   const Mat3 fixed_from_disc = disc.moon_fixed_from_horizon * horizon_from_disc(circle.direction);
   const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
   const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
-  PlannedMoon planned{{},
-                      disc,
-                      fixed_from_disc,
-                      globe,
-                      lunar_eclipse_table(eclipse, moon_illumination(scene.sky).sunlit_moon, scene.sky.eclipse_air,
-                                          scene.sky.tier),
-                      earth_shadow(eclipse, fixed_from_icrs),
-                      fixed_from_icrs * eclipse.moon_km};
+  PlannedMoon planned{
+      {},
+      disc,
+      fixed_from_disc,
+      globe,
+      lunar_eclipse_table(eclipse, moon_illumination(scene.sky).sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
+      earth_shadow(eclipse, fixed_from_icrs),
+      fixed_from_icrs * eclipse.moon_km};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
+  planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
   // A crescent is cut as its width asks for.
   const double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
   planned.picture.cells_of_radius = std::clamp(12.0 / std::max(lit_width, 1.0e-3), 20.0, 64.0);
-  const double width = disc_diameter_px(circle, scene.view, scene.refraction);
+  const double width = planned.picture.width_px;
   if (width > 0.0 && width < narrowest_disc_px) {
     planned.picture.point = point_of(centre_of_light(planned, options.moon_scale), vector_of(planned.disc.illuminance),
                                      planned.picture.frame.flattening, scene);
@@ -127,6 +128,7 @@ std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& op
   PlannedSun planned{{}, disc, corona, Vec4(0.0), Vec4(0.0)};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
+  planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
   const Mat3 axes = horizon_from_disc(circle.direction);
   planned.turn = {glm::dot(disc.shading.aside, axes[0]), glm::dot(disc.shading.aside, axes[1]),
                   glm::dot(disc.shading.upward, axes[0]), glm::dot(disc.shading.upward, axes[1])};
@@ -134,9 +136,10 @@ std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& op
   if (moon.z > 0.0) {
     planned.moon = Vec4(moon, disc.shading.moon_chord * options.moon_scale);
   }
-  const double width = disc_diameter_px(circle, scene.view, scene.refraction);
+  const double width = planned.picture.width_px;
   if (!corona && width > 0.0 && width < narrowest_disc_px) {
-    const Vec4 light = vector_of(integrate_xyzs(filtered(disc.irradiance, sunlight_past_moon(scene.sky.solar_eclipse))));
+    const Vec4 light =
+        vector_of(integrate_xyzs(filtered(disc.irradiance, sunlight_past_moon(scene.sky.solar_eclipse))));
     planned.picture.point = point_of(disc.direction, light, planned.picture.frame.flattening, scene);
   }
   return planned;

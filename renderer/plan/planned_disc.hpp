@@ -31,9 +31,9 @@ struct MoonGlobe {
 struct DiscOptions {
   std::shared_ptr<const MoonGlobe> moon; ///< default_moon_globe() where there is none
   SunOptions sun;
-  /// Factors of the discs' diameters, 1 to `largest_disc_scale`, each about its own centre: the light stays the same, so
-  /// that luminance falls with the square. Where the Moon stands before the Sun it covers it as the enlarged discs lie;
-  /// the light of the eclipse is that of the real ones.
+  /// Factors of the discs' diameters, 1 to `largest_disc_scale`, each about its own centre: the light stays the same,
+  /// so that luminance falls with the square. Where the Moon stands before the Sun it covers it as the enlarged discs
+  /// lie; the light of the eclipse is that of the real ones.
   double moon_scale = 1.0;
   double sun_scale = 1.0;
 };
@@ -50,6 +50,7 @@ struct PlannedDisc {
   f64::DiscFrame frame{};
   std::vector<PixelBox> boxes;
   std::optional<PointLight> point; ///< in place of the boxes
+  double width_px = 0.0;           ///< as disc_diameter_px has it
   double cells_of_radius = 20.0;   ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
@@ -70,8 +71,8 @@ struct PlannedSun {
   PlannedDisc picture;
   SunDisc disc;
   bool corona = false; ///< where neither the disc nor the sky outshines it
-  Vec4 moon{};         ///< its direction along the axes of horizon_from_disc; w: distance of its limb on the unit sphere
-  Vec4 turn{};         ///< rows of the matrix from places on the disc to those of the shading
+  Vec4 moon{}; ///< its direction along the axes of horizon_from_disc; w: distance of its limb on the unit sphere
+  Vec4 turn{}; ///< rows of the matrix from places on the disc to those of the shading
 };
 
 /// What is common to the discs of a frame.

@@ -14,7 +14,6 @@
 namespace vesper::test {
 namespace {
 
-
 enum class Body { moon, sun };
 
 struct DiscCase {
@@ -50,7 +49,8 @@ protected:
     view.altitude = 31.0 * deg;
     view.azimuth = 120.0 * deg;
     view.roll = 7.0 * deg;
-    const Xyzs light = body == Body::moon ? integrate_xyzs(moonlight_of(sky)) : integrate_xyzs(sun_disc(sky).irradiance);
+    const Xyzs light =
+        body == Body::moon ? integrate_xyzs(moonlight_of(sky)) : integrate_xyzs(sun_disc(sky).irradiance);
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::normal_distribution<double> normal;
@@ -80,10 +80,10 @@ protected:
                                                               {Projection::equirectangular, 0.0, 1600},
                                                               {Projection::cubemap, 0.0, 400},
                                                               {Projection::cubemap, 0.0, 60}}) {
-      const std::string what =
-          std::string("light of the ") + name + ", " +
-          std::string(projection_names()[static_cast<std::size_t>(of.projection)]) + " " +
-          (of.fov_deg > 0.0 ? std::to_string(of.fov_deg).substr(0, 5) + " deg, " : "") + std::to_string(of.size) + " px";
+      const std::string what = std::string("light of the ") + name + ", " +
+                               std::string(projection_names()[static_cast<std::size_t>(of.projection)]) + " " +
+                               (of.fov_deg > 0.0 ? std::to_string(of.fov_deg).substr(0, 5) + " deg, " : "") +
+                               std::to_string(of.size) + " px";
       errors(body, sky, of, of.size >= 400 ? 2 : 4).hold(what, limit, "of it");
     }
   }
@@ -91,9 +91,7 @@ protected:
   FrameOptions options;
 };
 
-SkyState sky_at(const char* stamp) {
-  return sky_state(parse_instant(stamp), {50.0 * deg, 10.0 * deg, 100.0 * metre});
-}
+SkyState sky_at(const char* stamp) { return sky_state(parse_instant(stamp), {50.0 * deg, 10.0 * deg, 100.0 * metre}); }
 
 TEST_F(DiscFlux, FullMoon) { hold(Body::moon, "full Moon", sky_at("2026-05-01T20:00:00Z"), 5.0e-3); }
 TEST_F(DiscFlux, QuarterMoon) { hold(Body::moon, "first quarter", sky_at("2026-05-23T20:00:00Z"), 5.0e-3); }
