@@ -68,6 +68,20 @@ bool cell_at(vec2 at, float size, out DiscCell cell) {
   return inside && dot(direction, block.disc.centre) > 0.0;
 }
 
+// One of the cells of a pixel, on a straight line from the pixel's centre where that will do: not where the pixel is
+// wider than the disc's radius, nor at the pole of a map, whose pixels are slices of a cake.
+bool cell_of(DiscCell pixel, vec2 at, vec2 off, float size, out DiscCell cell) {
+  if (PROJECTION == projection_equirectangular || max(length(pixel.across), length(pixel.down)) > 1.0) {
+    return cell_at(at + off, size, cell);
+  }
+  cell.place = pixel.place + off.x * pixel.across + off.y * pixel.down;
+  cell.across = size * pixel.across;
+  cell.down = size * pixel.down;
+  cell.sin_altitude = pixel.sin_altitude + (cell.place.y - pixel.place.y) * block.disc.sine * block.disc.scale *
+                                               block.disc.flattening * block.disc.up_zenith;
+  return true;
+}
+
 void main() {
   vec2 at = gl_FragCoord.xy + vec2(0.0, block.strip.x);
   DiscCell pixel;
@@ -89,10 +103,10 @@ void main() {
   float weights = 0.0;
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
-      vec2 there = at + (vec2(column, row) + 0.5) / float(cells) - 0.5;
+      vec2 off = (vec2(column, row) + 0.5) / float(cells) - 0.5;
       DiscCell cell;
-      if (cell_at(there, 1.0 / float(cells), cell)) {
-        float weight = 1.0 / max(pixels_per_steradian(there, frame), 1.0e-6);
+      if (cell_of(pixel, at, off, 1.0 / float(cells), cell)) {
+        float weight = 1.0 / max(pixels_per_steradian(at + off, frame), 1.0e-6);
         light += weight * disc_light(cell, hidden);
         covered += weight * hidden;
         weights += weight;
