@@ -13,9 +13,7 @@ namespace {
 // A picture of fewer rows shows no Moon.
 constexpr int least_height = 32;
 
-float linear_from_srgb(float v) {
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
+float linear_from_srgb(float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F); }
 
 /// Reads the albedo of a pixel from its channels.
 class PixelReader {
@@ -39,8 +37,7 @@ public:
       return missing;
     }
     const auto value = [&](std::size_t i) { return decode_ ? linear_from_srgb(pixel[colors_[i]]) : pixel[colors_[i]]; };
-    const float light =
-        colors_.size() == 1 ? value(0) : 0.2126F * value(0) + 0.7152F * value(1) + 0.0722F * value(2);
+    const float light = colors_.size() == 1 ? value(0) : 0.2126F * value(0) + 0.7152F * value(1) + 0.0722F * value(2);
     return light > 0.0F && std::isfinite(light) ? light : missing;
   }
 

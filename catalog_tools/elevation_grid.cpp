@@ -43,7 +43,7 @@ struct Layout {
   int samples = 0;
   SampleKind kind{};
   double metres_by_unit = 1;
-  double scale = 1;    ///< height in units = scale * sample + offset
+  double scale = 1; ///< height in units = scale * sample + offset
   double offset = 0;
   double west_edge_deg = 0;
   std::optional<double> missing; ///< a sample's value
@@ -120,8 +120,8 @@ private:
     require(lines, 180.0 * pixels_per_deg, fmt::format("{} by MAP_RESOLUTION", 180.0 * pixels_per_deg));
     require(samples, 360.0 * pixels_per_deg, fmt::format("{} by MAP_RESOLUTION", 360.0 * pixels_per_deg));
     const auto& radius = label_.get(object, "A_AXIS_RADIUS");
-    if (radius.unit != "KM" || !(std::abs(label_.number(radius) - moon_reference_radius.to(kilometre)) <=
-                                 radius_tolerance_m / 1000.0)) {
+    if (radius.unit != "KM" ||
+        !(std::abs(label_.number(radius) - moon_reference_radius.to(kilometre)) <= radius_tolerance_m / 1000.0)) {
       label_.refuse(radius, "the Moon's, about 1737.4 <km>");
     }
   }

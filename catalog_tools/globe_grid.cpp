@@ -29,7 +29,8 @@ std::array<std::size_t, 8> neighbours(const GlobeGrid& grid, std::size_t pixel) 
     for (int x = column - 1; x <= column + 1; ++x) {
       if (x != column || y != row) {
         const int c = (x + grid.width + (beyond ? grid.width / 2 : 0)) % grid.width;
-        found[count++] = static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(c);
+        found[count++] =
+            static_cast<std::size_t>(r) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(c);
       }
     }
   }
@@ -104,11 +105,12 @@ GlobeMeans::GlobeMeans(const GlobeGrid& grid)
 double GlobeMeans::mean(const Vec3& direction, double size_rad) const {
   const double across = std::hypot(direction.x, direction.y);
   const double pixels_per_rad = height_ / pi;
+  // Whole numbers of pixels: their means of a linear function are its values.
+  const double rows = std::max(std::round(size_rad * pixels_per_rad), 1.0);
+  const double columns = std::clamp(std::round(rows / std::max(across, 1.0e-12)), 1.0, static_cast<double>(width_));
   const double row = std::atan2(across, direction.z) * pixels_per_rad;
-  const double half_rows = 0.5 * std::max(size_rad * pixels_per_rad, 1.0);
-  const double top = std::max(row - half_rows, 0.0);
-  const double bottom = std::min(row + half_rows, static_cast<double>(height_));
-  const double columns = std::clamp(size_rad * pixels_per_rad / std::max(across, 1.0e-12), 1.0, double(width_));
+  const double top = std::max(row - 0.5 * rows, 0.0);
+  const double bottom = std::min(row + 0.5 * rows, static_cast<double>(height_));
   double left = (std::atan2(direction.y, direction.x) - west_edge_rad_) * pixels_per_rad - 0.5 * columns;
   left -= std::floor(left / width_) * width_;
   const double right = left + columns;
@@ -127,8 +129,8 @@ double GlobeMeans::sum(double column, double row) const {
   const auto corners = static_cast<std::size_t>(width_) + 1;
   const double* above = &sums_[static_cast<std::size_t>(y) * corners];
   const double* below = above + corners;
-  const double here = (1.0 - v) * ((1.0 - u) * above[x] + u * above[x + 1]) +
-                      v * ((1.0 - u) * below[x] + u * below[x + 1]);
+  const double here =
+      (1.0 - v) * ((1.0 - u) * above[x] + u * above[x + 1]) + v * ((1.0 - u) * below[x] + u * below[x + 1]);
   return again ? here + (1.0 - v) * above[width_] + v * below[width_] : here;
 }
 

@@ -33,8 +33,8 @@ class GlobeMeans {
 public:
   explicit GlobeMeans(const GlobeGrid& grid);
 
-  /// Mean by area over `size` in latitude and, on the ground, in longitude around the direction; at least a pixel in
-  /// each, by which it joins pixels linearly. Near a pole it takes whole rows.
+  /// Mean by area over a square on the ground around the direction, its sides along the latitude and the longitude,
+  /// rounded to whole pixels in each. One pixel joins its neighbours linearly; at a pole it becomes whole rows.
   /// \param direction unit vector: x to longitude 0, y to 90 degrees east, z to the north pole
   /// \param size_rad  angle across the area, small
   [[nodiscard]] double mean(const Vec3& direction, double size_rad) const;

@@ -1,8 +1,10 @@
 #include "vesper/catalog_tools/moon_products.hpp"
 
 #include "vesper/assets/cube_texels.hpp"
+#include "vesper/assets/half_float.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
+#include "vesper/light/lunar_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,15 +68,8 @@ Vec3 relief_normal(int face, const Vec2& place, double side, const double* above
   return f64::cube_face_axes(face) * glm::normalize(point / length - (length / (radius_m + height)) * gradient);
 }
 
-/// To 12 significant bits: within 0.0122 %.
-float rounded_albedo(double albedo) {
-  int exponent = 0;
-  const double fraction = std::frexp(albedo, &exponent);
-  return static_cast<float>(std::ldexp(std::round(std::ldexp(fraction, 12)), exponent - 12));
-}
-
-/// The steps of a normal's components: at most 1/128 of a texel's width in radians, a power of two.
-double normal_step(int face_size) { return std::exp2(-6 - std::ceil(std::log2(face_size))); }
+// The rounding of 16-bit floats turns a normal by 0.02 degrees at most: little beside a texel of 0.1 to 0.2.
+constexpr int most_half_face = 512;
 
 FillReport fill(GlobeGrid& grid, const char* what) {
   const FillReport report = fill_missing(grid);
@@ -106,7 +101,7 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
   report.highest_m = static_cast<double>(*highest);
 
   const double side = 2.0 / face_size;
-  const double step = normal_step(face_size);
+  const auto rounded = [&](double v) { return face_size <= most_half_face ? nearest_half(v) : static_cast<float>(v); };
   const std::vector<double> albedos = lattice_means(albedo, face_size, 0.5 * side, side, options.progress);
   const std::vector<double> heights = lattice_means(elevation_m, face_size + 1, 0.0, side, options.progress);
 
@@ -126,8 +121,7 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
                      1.0 - side * (static_cast<double>(row % n) + 0.5));
     const Vec3 normal = relief_normal(static_cast<int>(face), place, side, above, above + n + 1);
     for (int axis = 0; axis < 3; ++axis) {
-      map.texels[4 * i + 1 + static_cast<std::size_t>(axis)] =
-          static_cast<float>(step * std::round(normal[axis] / step));
+      map.texels[4 * i + 1 + static_cast<std::size_t>(axis)] = rounded(normal[axis]);
     }
     const CubeTexel texel = cube_texel(face_size, i);
     const double slope = std::acos(std::min(glm::dot(normal, texel.direction), 1.0));
@@ -148,7 +142,7 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
                 {"", "", "Check the albedo map and its encoding"});
   }
   for (std::size_t i = 0; i < albedos.size(); ++i) {
-    map.texels[4 * i] = rounded_albedo(report.albedo_scale * albedos[i]);
+    map.texels[4 * i] = rounded(report.albedo_scale * albedos[i]);
   }
   map.provenance.albedo_pixels = albedo.values.size();
   map.provenance.albedo_filled = report.albedo_fill.filled;

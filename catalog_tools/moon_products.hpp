@@ -4,7 +4,6 @@
 #include "vesper/assets/moon_map.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/catalog_tools/globe_grid.hpp"
-#include "vesper/light/lunar_surface.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -43,8 +42,8 @@ struct MoonProduct {
 /// the map becomes lunar_geometric_albedo. Its normal is that of the surface r = R + h: n along e - grad h / r with
 /// the mean gradient over the texel, from the heights at its corners, each a mean over an area of a texel's size. The
 /// gradient is taken on the cube's faces, so that no direction is special but the sampling of the grids near the
-/// poles. To keep files small, albedos are rounded to 12 bits (0.0122 % at most) and the components of normals to 1/128
-/// of a texel's width or less (2^-14 at 256 texels a face).
+/// poles. Up to 512 texels a face the numbers are rounded to 16-bit floats (0.049 % at most; a normal turns by 0.02
+/// degrees at most), which makes the file a third as large.
 ///
 /// \param albedo      linear, to a scale; NaN where missing
 /// \param elevation_m metres above moon_reference_radius; NaN where missing

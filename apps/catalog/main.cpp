@@ -9,7 +9,8 @@
 
 // Only a lack of memory while the options are set up can leave this function.
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
-  CLI::App app("Turns star catalogues into star buffers and maps of the Moon into a cube map, and reads these back", "vesper-catalog");
+  CLI::App app("Turns star catalogues into star buffers and maps of the Moon into a cube map, and reads these back",
+               "vesper-catalog");
   vesper::prepare_program(app);
   app.require_subcommand(0, 1);
   const auto stars = vesper::add_stars_command(app);

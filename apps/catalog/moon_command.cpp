@@ -118,8 +118,7 @@ void require_output(const MoonOptions& options, const std::string& label) {
   for (const std::string& input : {options.albedo, options.elevation, label}) {
     std::error_code ignored;
     if (std::filesystem::equivalent(input, options.output, ignored)) {
-      throw Error(ErrorKind::argument, "--output names the input itself",
-                  {options.output, "", "Choose another path"});
+      throw Error(ErrorKind::argument, "--output names the input itself", {options.output, "", "Choose another path"});
     }
   }
   require_writable(options.output);
@@ -129,8 +128,7 @@ void run_moon(const MoonOptions& options) {
   const double longitude_deg = parse_longitude(options.longitude_origin);
   const AlbedoEncoding encoding = parse_encoding(options.encoding);
   const int face_size = parse_face(options.face);
-  const std::string label_file =
-      options.label.empty() ? find_pds_label(options.elevation).string() : options.label;
+  const std::string label_file = options.label.empty() ? find_pds_label(options.elevation).string() : options.label;
   require_output(options, label_file);
 
   const Bytes label = read_file(label_file);
@@ -152,8 +150,8 @@ void run_moon(const MoonOptions& options) {
   p.elevation_sha256 = sha256_hex(content);
   p.label_sha256 = sha256_hex(label);
   p.tool = "vesper-catalog " VESPER_VERSION;
-  p.options = fmt::format("--longitude-origin {} --albedo-encoding {} --face {}", longitude_deg, options.encoding,
-                          face_size);
+  p.options =
+      fmt::format("--longitude-origin {} --albedo-encoding {} --face {}", longitude_deg, options.encoding, face_size);
   if (!options.dry_run) {
     write_moon_map(options.output, product.map);
     spdlog::info("wrote {} ({} bytes)", options.output, std::filesystem::file_size(options.output));

@@ -2,6 +2,7 @@
 
 #include "common/option_text.hpp"
 
+#include "vesper/atmosphere/earth_shadow_load.hpp"
 #include "vesper/atmosphere/medium_file.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 
@@ -222,6 +223,15 @@ std::string apply_sky(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_danjon(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, least_danjon, most_danjon);
+  if (!value) {
+    return fmt::format("{:.0f} to {:.0f}, dark to bright", least_danjon, most_danjon);
+  }
+  scene.danjon = *value;
+  return "";
+}
+
 std::string apply_seed(std::string_view text, SceneOptions& scene) {
   const auto value = parse_number<std::uint64_t>(text);
   if (!value) {
@@ -284,6 +294,10 @@ constexpr std::array table{
         "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
         "a cheap way that is good by day; or reference, a Monte Carlo; default tables",
         apply_sky},
+    SceneOptionDescription{"danjon", Kind::number, "L", model,
+                           "How clear the Earth's air is in eclipses of the Moon, on Danjon's scale: 0, after great "
+                           "eruptions, to 4; default 2.5",
+                           apply_danjon},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

@@ -8,6 +8,7 @@
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -52,7 +53,8 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
-  std::uint64_t seed = 0; ///< of everything random
+  double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
+  std::uint64_t seed = 0;              ///< of everything random
 };
 
 /// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.
@@ -66,9 +68,12 @@ using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
 
 /// How the scene bends light: the model of its tier, under the air that was given or else the standard atmosphere's at
 /// the height. Without a table.
-[[nodiscard]] Refraction refraction_of(const SceneOptions& scene);
-/// The same for an observer at another height.
 [[nodiscard]] Refraction refraction_of(const SceneOptions& scene, Length height);
+
+/// The sky of the scene, with its air.
+[[nodiscard]] SkyState sky_state_of(const SceneOptions& scene);
+/// The same at another time and place.
+[[nodiscard]] SkyState sky_state_of(const SceneOptions& scene, const Instant& instant, const Observer& observer);
 
 enum class Assumptions { said, silent };
 

@@ -12,6 +12,8 @@ struct SceneAir::Parts {
   PathBudget budget;
   std::once_flag tables_made;
   std::shared_ptr<const SkyTables> tables;
+  std::once_flag eclipsed_made;
+  std::shared_ptr<const EclipsedAir> eclipsed;
   std::once_flag transport_made;
   std::optional<ReferenceTransport> transport;
 };
@@ -31,6 +33,11 @@ SkyModel SceneAir::model() const { return parts_->scene.sky; }
 const SkyTables& SceneAir::tables() const {
   std::call_once(parts_->tables_made, [this] { parts_->tables = scene_sky_tables(parts_->scene); });
   return *parts_->tables;
+}
+
+const std::shared_ptr<const EclipsedAir>& SceneAir::eclipsed() const {
+  std::call_once(parts_->eclipsed_made, [this] { parts_->eclipsed = std::make_shared<const EclipsedAir>(medium()); });
+  return parts_->eclipsed;
 }
 
 const ReferenceTransport& SceneAir::transport() const {

@@ -3,6 +3,7 @@
 
 #include "common/scene_options.hpp"
 
+#include "vesper/atmosphere/eclipsed_air.hpp"
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/atmosphere/reference_transport.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
@@ -26,6 +27,8 @@ public:
   [[nodiscard]] SkyModel model() const;
   /// From a cache, if they are there (sky_tables_cache.hpp); takes seconds otherwise.
   [[nodiscard]] const SkyTables& tables() const;
+  /// What becomes of its light in the Moon's shadow. Takes some tenths of a second at first.
+  [[nodiscard]] const std::shared_ptr<const EclipsedAir>& eclipsed() const;
   /// At the medium's wavelengths. Takes seconds at first.
   [[nodiscard]] const ReferenceTransport& transport() const;
   [[nodiscard]] const PathBudget& budget() const;

@@ -60,12 +60,13 @@ void write_exr(const std::filesystem::path& path, int width, int height, std::sp
                const ImageMetadata& metadata) {
   ImageMetadata with_space = metadata;
   with_space.emplace_back("oiio:ColorSpace", "XYZ");
-  write_exr(path, width, height, {"X", "Y", "Z", "S"}, xyzs, with_space);
+  write_exr(path, width, height, {"X", "Y", "Z", "S"}, xyzs, ExrDepth::single, with_space);
 }
 
 void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
-               std::span<const float> values, const ImageMetadata& metadata) {
-  OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()), OIIO::TypeDesc::FLOAT);
+               std::span<const float> values, ExrDepth depth, const ImageMetadata& metadata) {
+  OIIO::ImageSpec spec(width, height, static_cast<int>(channels.size()),
+                       depth == ExrDepth::half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
   spec.channelnames = channels;
   spec.attribute("compression", "zip");
   write(path, "exr", spec, OIIO::TypeDesc::FLOAT, values.data(), OIIO::AutoStride, metadata);

@@ -19,9 +19,11 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 void write_exr(const std::filesystem::path& path, int width, int height, std::span<const float> xyzs,
                const ImageMetadata& metadata);
 
+enum class ExrDepth { half, single }; ///< floats of 16 or 32 bits in the file
+
 /// The same with channels of other names: `values` holds `channels.size()` floats a pixel.
 void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
-               std::span<const float> values, const ImageMetadata& metadata);
+               std::span<const float> values, ExrDepth depth, const ImageMetadata& metadata);
 
 /// Writes display pixels as PNG, 8-bit RGB, sRGB. `rgba` holds 4 bytes a pixel; alpha is dropped.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,

@@ -1,6 +1,7 @@
 #include "vesper/assets/moon_map.hpp"
 
 #include "vesper/assets/cube_texels.hpp"
+#include "vesper/assets/half_float.hpp"
 #include "vesper/assets/image_file.hpp"
 #include "vesper/base/csv.hpp"
 #include "vesper/base/error.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr const char* remedy = "Make the file again with vesper-catalog moon";
 constexpr std::array<const char*, 4> channels = {"A", "NX", "NY", "NZ"};
-// Makers round the components of normals to 1/128 of a texel's width, which is 2^-10 on the smallest faces.
+// A unit vector of 16-bit floats is off by up to 5e-4.
 constexpr double unit_tolerance = 1.0e-3;
 
 struct TextField {
@@ -177,6 +178,7 @@ double moon_disc_albedo(const MoonMap& map) {
 void write_moon_map(const std::filesystem::path& path, const MoonMap& map) {
   check(map, ErrorKind::argument, path.string());
   write_exr(path, map.face_size, 6 * map.face_size, {channels.begin(), channels.end()}, map.texels,
+            std::all_of(map.texels.begin(), map.texels.end(), is_half) ? ExrDepth::half : ExrDepth::single,
             metadata_of(map.provenance));
 }
 

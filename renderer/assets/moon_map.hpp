@@ -1,6 +1,7 @@
 // The Moon's surface as a cube map: albedo and the direction that the ground faces.
 //
-// The file is an OpenEXR picture, six faces stacked (shaders/lib/cube_map.glsl), 32-bit channels
+// The file is an OpenEXR picture, six faces stacked (shaders/lib/cube_map.glsl), channels of 32-bit floats, or of
+// 16-bit ones where these hold every number exactly
 //   A            normal albedo
 //   NX, NY, NZ   unit normal of the relief
 // in the Moon's mean-Earth axes, which are the cube's too: X to selenographic longitude 0, latitude 0 (towards the

@@ -34,7 +34,7 @@ constexpr std::int32_t shadow_version = 1;
 }
 
 bool sound(const ShadowHeader& header) {
-  const auto count = [](std::int32_t number) { return number >= 2 && number <= 4096; };
+  const auto count = [](std::int32_t number) { return number >= 1 && number <= 4096; };
   const auto length = [](double number) { return number > 0.0 && std::isfinite(number); };
   return count(header.inner) && count(header.outer) && count(header.wavelengths) && length(header.first_km) &&
          length(header.rows_per_km) && length(header.edge_km) && length(header.clear_km) && length(header.width_km) &&

@@ -107,6 +107,9 @@ void EclipseSpectra::add(const Vec2& place_km, const f64::EarthShadow& shadow, d
 }
 
 Spectrum EclipseSpectra::spectrum(std::span<const double> shares) const {
+  if (wavelengths_nm.size() == 1) {
+    return {{response_first_nm - step_nm, response_last_nm + step_nm}, {shares[0], shares[0]}};
+  }
   // Along deep paths molecules make the steepest slopes.
   const auto molecules = [](double nm) { return std::pow(nm, -4.0); };
   std::vector<double> wavelengths;

@@ -10,12 +10,13 @@ double share_past_clouds(const EarthShadowLoad& load, double height_km) {
 }
 
 Medium with_stratospheric_dust(Medium medium) {
-  // As in clear air (medium_presets.hpp).
+  // At the heights of clear air's; droplets of sulphuric acid as in OPAC (Hess et al. 1998, Bull. Am. Meteorol. Soc.
+  // 79, 831).
   constexpr double from_km = 12.0;
   constexpr double peak_km = 20.0;
   constexpr double to_km = 35.0;
-  constexpr double exponent = 1.3;
-  constexpr double asymmetry = 0.703;
+  constexpr double exponent = 0.95;
+  constexpr double asymmetry = 0.72;
   medium.components.push_back({"dust of the stratosphere",
                                HeightProfile::tent(from_km, peak_km, to_km),
                                [](double nm) { return 2.0 / (to_km - from_km) * std::pow(nm / 550.0, -exponent); },

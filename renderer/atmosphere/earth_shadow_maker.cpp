@@ -1,9 +1,12 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/atmosphere/earth_shadow_light.hpp"
 #include "vesper/atmosphere/earth_shadow_solver.hpp"
+#include "vesper/base/error.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace vesper {
 namespace {
@@ -11,13 +14,26 @@ namespace {
 // Places of the Moon's surface, with some to spare.
 constexpr double nearest_km = 354000.0;
 constexpr double farthest_km = 410000.0;
-constexpr int inner = 96;
-constexpr int outer = 40;
+constexpr int inner = 80;
+constexpr int outer = 64;
 
-std::vector<double> map_wavelengths_nm() {
-  std::vector<double> wavelengths;
-  for (int nm = 400; nm <= 720; nm += 20) {
-    wavelengths.push_back(nm);
+/// Every 20 nm, as far as the medium is known; beyond, its light is that of the ends.
+std::vector<double> map_wavelengths_nm(const Medium& medium) {
+  if (medium.wavelengths_nm.empty()) {
+    throw Error(ErrorKind::argument, "a medium without wavelengths", {"", "", "Give it one at least"});
+  }
+  constexpr int first_nm = 400;
+  constexpr int last_nm = 720;
+  const double first = std::clamp<double>(medium.wavelengths_nm.front(), first_nm, last_nm);
+  const double last = std::clamp<double>(medium.wavelengths_nm.back(), first_nm, last_nm);
+  std::vector<double> wavelengths{first};
+  for (int nm = first_nm; nm <= last_nm; nm += 20) {
+    if (nm > first && nm < last) {
+      wavelengths.push_back(nm);
+    }
+  }
+  if (last > first) {
+    wavelengths.push_back(last);
   }
   return wavelengths;
 }
@@ -35,8 +51,8 @@ EarthShadowLight make_earth_shadow_light(const Medium& medium) {
                  static_cast<double>(rows - 1) / (farthest_km - nearest_km),
                  f64::earth_radius_km + 65.0,
                  f64::earth_radius_km + 120.0,
-                 150.0};
-  light.wavelengths_nm = map_wavelengths_nm();
+                 250.0};
+  light.wavelengths_nm = map_wavelengths_nm(medium);
   light.nearest_sun_au = 0.982;
   light.farthest_sun_au = 1.018;
   light.log_shares.resize(light.size());

@@ -15,34 +15,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr std::size_t mu_powers = 6;
-using MuPowers = std::array<double, mu_powers>;
-
-/// Brightness over that of the centre as a polynomial of mu, at 440, 550 and 680 nm (Hestroffer and Magnan 1998).
-constexpr std::array<double, 3> darkening_nm{440.0, 550.0, 680.0};
-constexpr std::array<MuPowers, 3> darkening{{{0.15248, 1.38517, -1.49615, 1.99886, -1.48155, 0.44119},
-                                             {0.26073, 1.27428, -1.30352, 1.47085, -0.96618, 0.26384},
-                                             {0.34685, 1.37539, -2.04425, 2.70493, -1.94290, 0.55999}}};
-
-/// At a wavelength (linear between the three, as the outermost beyond them), for a disc of radius 1 that sums to 1.
-MuPowers disc_brightness(double nm) {
-  const std::size_t i = nm < darkening_nm[1] ? 0 : 1;
-  const double t = std::clamp((nm - darkening_nm.at(i)) / (darkening_nm.at(i + 1) - darkening_nm.at(i)), 0.0, 1.0);
-  MuPowers result{};
-  double sum = 0.0;
-  for (std::size_t k = 0; k < mu_powers; ++k) {
-    result.at(k) = darkening.at(i).at(k) + t * (darkening.at(i + 1).at(k) - darkening.at(i).at(k));
-    sum += 2.0 * pi * result.at(k) / static_cast<double>(k + 2);
-  }
-  for (double& value : result) {
-    value /= sum;
-  }
-  return result;
-}
-
-/// Integrals of the powers of mu over the angle of a circle about a point, inside the Sun's disc of radius 1.
+/// Integrals of the powers of mu, 0 to 5, over the angle of a circle about a point, inside the Sun's disc of radius 1.
 /// \param ring radius of the circle \param off distance of its centre from the Sun's, both >= 0
-MuPowers around(double ring, double off) {
+LimbSeries around(double ring, double off) {
   constexpr std::size_t nodes = 12;
   struct Rule {
     std::array<double, nodes> sine, weight; // of a quarter of a turn: the ends of an arc lie at the Sun's limb
@@ -57,7 +32,7 @@ MuPowers around(double ring, double off) {
     }
     return made;
   }();
-  MuPowers sums{};
+  LimbSeries sums{};
   const bool whole = ring + off <= 1.0;
   if (!whole && (ring >= 1.0 + off || off >= 1.0 + ring)) {
     return sums;
@@ -90,8 +65,7 @@ EarthShadowSolver::EarthShadowSolver(const Medium& medium, std::vector<double> w
     for (const MediumComponent& component : dusty.components) {
       extinction.push_back(component.extinction_per_km(nm));
     }
-    const MuPowers brightness = disc_brightness(nm);
-    darkening_.insert(darkening_.end(), brightness.begin(), brightness.end());
+    darkening_.push_back(limb_series(nm, LimbDarkening::hestroffer_magnan));
   }
   for (const GrazingRay& ray : rays_) {
     for (const EarthShadowLoad& load : loads_) {
@@ -111,15 +85,15 @@ EarthShadowSolver::EarthShadowSolver(const Medium& medium, std::vector<double> w
 /// Adds the light of one circle about the Earth's centre.
 void EarthShadowSolver::add_direct(double ring, double off, double weight, const double* transmittance,
                                    std::vector<double>& sums) const {
-  const MuPowers arc = around(ring, off);
+  const LimbSeries arc = around(ring, off);
   if (arc[0] == 0.0) {
     return;
   }
   const std::size_t count = wavelengths_nm_.size();
   for (std::size_t i = 0; i < count; ++i) {
     double light = 0.0;
-    for (std::size_t k = 0; k < mu_powers; ++k) {
-      light += darkening_[i * mu_powers + k] * arc.at(k);
+    for (std::size_t k = 0; k < limb_terms; ++k) {
+      light += darkening_[i].at(k) * arc.at(k) / pi;
     }
     for (std::size_t l = 0; l < loads_.size(); ++l) {
       sums[l * count + i] += weight * light * (transmittance != nullptr ? transmittance[l * count + i] : 1.0);

@@ -6,6 +6,7 @@
 #include "vesper/atmosphere/limb_glow.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/light/solar_disc.hpp"
 
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace vesper {
 /// Seen from a point at the distance d behind the Earth, a ray with the impact parameter b comes from the angle
 /// b (1/d + 1/D) - omega(b) off the line through the Earth's centre; D is the Sun's distance and omega the bending.
 /// The air does not change a ray's radiance but by what it takes: so the light is the integral of the Sun's brightness
-/// there (Hestroffer and Magnan 1998, A&A 333, 338), times the transmittance, over b db and the angle around the limb.
+/// there (LimbDarkening::hestroffer_magnan), times the transmittance, over b db and the angle around the limb.
 /// That holds focusing and defocusing, on the axis and at the edge, without any derivative of omega. Added is the
 /// limb's own glow (LimbGlow).
 class EarthShadowSolver {
@@ -37,7 +38,7 @@ private:
   std::vector<EarthShadowLoad> loads_;
   std::vector<GrazingRay> rays_;
   std::vector<double> transmittance_; ///< by ray, load and wavelength
-  std::vector<double> darkening_;     ///< by wavelength: coefficients of the powers of mu, of a disc that sums to 1
+  std::vector<LimbSeries> darkening_; ///< by wavelength
   LimbGlow glow_;
 };
 

@@ -33,10 +33,12 @@ std::vector<GrazingRay> grazing_rays(const Medium& medium) {
   const double medium_radius_km = medium.ground_radius.to(kilometre);
 
   std::vector<GrazingRay> rays;
-  for (double height = 0.0; height < outside_km; height += step_km(height)) {
+  double height = 0.0;
+  while (height < outside_km) {
     rays.push_back({height, impact(f64::earth_radius_km, height), 0.0,
                     tracer.trace(altitude(f64::earth_radius_km, height) * rad).refraction.to(rad),
                     columns.columns_km(std::sin(altitude(medium_radius_km, height)))});
+    height += step_km(height);
   }
   // The trapezoidal rule.
   for (std::size_t i = 0; i + 1 < rays.size(); ++i) {

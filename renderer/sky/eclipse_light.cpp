@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace vesper {
@@ -19,33 +21,45 @@ namespace {
 
 using std::numbers::pi;
 
-/// Calls `visit(point_km, weight)` for points of the Moon's face, seen from the Earth; weights sum to 1.
-template <class Visit> void for_points_of_moon(const Vec3& moon_km, Visit&& visit) {
+/// Of a face equally bright all over, as the Earth's centre sees it.
+std::vector<MoonPlace> even_face(const Vec3& moon_km) {
   const Vec3 toward = glm::normalize(-moon_km);
   const Vec3 aside = glm::normalize(glm::cross(toward, std::abs(toward.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
   const Vec3 upward = glm::cross(toward, aside);
   constexpr int azimuths = 32;
   // Gauss's rule over the square of the radius.
   static const std::vector<QuadratureNode> rings = gauss_legendre(16);
+  std::vector<MoonPlace> face;
+  face.reserve(rings.size() * azimuths);
   for (const QuadratureNode& ring : rings) {
     for (int k = 0; k < azimuths; ++k) {
       const double azimuth = 2.0 * pi * (k + 0.5) / azimuths;
       const Vec3 normal = std::sqrt(ring.place) * (std::cos(azimuth) * aside + std::sin(azimuth) * upward) +
                           std::sqrt(1.0 - ring.place) * toward;
-      visit(moon_km + moon_mean_radius.to(kilometre) * normal, ring.weight / azimuths);
+      face.push_back({normal, ring.weight / azimuths});
     }
+  }
+  return face;
+}
+
+/// Calls `visit(place behind the Earth, share)` for places of the Moon.
+template <class Visit>
+void for_places(std::span<const MoonPlace> face, const LunarEclipseState& eclipse, const f64::EarthShadow& shadow,
+                Visit&& visit) {
+  for (const MoonPlace& place : face) {
+    const Vec3 point_km = eclipse.moon_km + moon_mean_radius.to(kilometre) * place.normal;
+    visit(f64::earth_shadow_place(point_km, shadow), place.share);
   }
 }
 
 /// The wavelengths of the published colour map, in order.
 constexpr std::array published_nm{450.0, 507.0, 555.0, 600.0};
 
-Spectrum published_sunlight_on_moon(const LunarEclipseState& eclipse) {
+Spectrum published_sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face) {
   const f64::EarthShadow shadow = earth_shadow(eclipse);
   Vec4 shares{};
-  for_points_of_moon(eclipse.moon_km, [&](const Vec3& point, double weight) {
-    const Vec2 place = f64::earth_shadow_place(point, shadow);
-    shares += weight * f64::lunar_eclipse_colors(f64::lunar_eclipse_phase(place, shadow));
+  for_places(face, eclipse, shadow, [&](const Vec2& place, double share) {
+    shares += share * f64::lunar_eclipse_colors(f64::lunar_eclipse_phase(place, shadow));
   });
   return {{response_first_nm - 1.0, published_nm[0], published_nm[1], published_nm[2], published_nm[3],
            response_last_nm + 1.0},
@@ -114,18 +128,22 @@ Spectrum sunlight_past_moon(const SolarEclipseState& eclipse, LimbDarkening law)
 }
 
 Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, const EclipseAir& air, Tier tier) {
+  return sunlight_on_moon(eclipse, even_face(eclipse.moon_km), air, tier);
+}
+
+Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face, const EclipseAir& air,
+                          Tier tier) {
   if (eclipse.penumbral_magnitude <= 0.0) {
     return {{response_first_nm - 1.0, response_last_nm + 1.0}, {1.0, 1.0}};
   }
   if (tier == Tier::cheap) {
-    return published_sunlight_on_moon(eclipse);
+    return published_sunlight_on_moon(eclipse, face);
   }
   const EclipseSpectra spectra = spectra_of(eclipse, air);
   const f64::EarthShadow shadow = earth_shadow(eclipse);
   std::vector<double> shares(spectra.wavelengths_nm.size(), 0.0);
-  for_points_of_moon(eclipse.moon_km, [&](const Vec3& point, double weight) {
-    spectra.add(f64::earth_shadow_place(point, shadow), shadow, weight, shares);
-  });
+  for_places(face, eclipse, shadow,
+             [&](const Vec2& place, double share) { spectra.add(place, shadow, share, shares); });
   return spectra.spectrum(shares);
 }
 

@@ -9,6 +9,7 @@
 #include "vesper/light/spectrum.hpp"
 
 #include <memory>
+#include <span>
 
 namespace vesper {
 
@@ -32,9 +33,19 @@ struct EclipseAir {
   std::shared_ptr<const EarthShadowLight> light;
 };
 
-/// The Sun's light on the Moon's disc past the Earth, by wavelength: the mean over the disc that faces the Earth, of
-/// what lunar_eclipse_shares gives its points. With Tier::cheap that of the published colour map.
+/// A place of the Moon's surface, and how much of its light without an eclipse comes from there.
+struct MoonPlace {
+  Vec3 normal; ///< ICRS axes
+  double share = 0.0;
+};
+
+/// The Sun's light on the Moon past the Earth, by wavelength: the mean of what lunar_eclipse_shares gives its places.
+/// With Tier::cheap that of the published colour map.
+/// \param face places whose shares sum to 1
 /// Throws Error(argument) for an L out of its range.
+[[nodiscard]] Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face,
+                                        const EclipseAir& air = {}, Tier tier = Tier::standard);
+/// The same for a Moon that is equally bright all over the disc that faces the Earth.
 [[nodiscard]] Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, const EclipseAir& air = {},
                                         Tier tier = Tier::standard);
 

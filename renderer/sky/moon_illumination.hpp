@@ -22,6 +22,10 @@ struct MoonIllumination {
 /// Of the observer's own phase angle and distance.
 [[nodiscard]] MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law = EarthPhaseLaw::measured);
 
+/// What the Earth's shadow leaves of the sunlight, by wavelength, averaged over what the observer sees of the built-in
+/// map's Moon (eclipse_light.hpp). 1 outside an eclipse.
+[[nodiscard]] Spectrum sunlight_on_moon(const SkyState& sky);
+
 /// Spectral irradiance of the whole Moon at the observer above the air, W/(m2 nm): sunlight, dimmed in an eclipse
 /// (eclipse_light.hpp), and earthlight. The one number that disc, air and ground are lit by.
 [[nodiscard]] Spectrum moonlight_of(const SkyState& sky);

@@ -30,49 +30,53 @@ f64::vec4 between_texels(const MoonMap& map, int face, double right, double up) 
                   f64::mix(texel(left, next_y), texel(next_x, next_y), x - left), y - top);
 }
 
-void hold_sizes(const MoonMap& map, int cells) {
+void hold_sizes(const MoonMap& map, int places) {
   const auto size = static_cast<std::size_t>(std::max(map.face_size, 0));
-  if (size == 0 || map.texels.size() != 24 * size * size || cells < 1) {
+  if (size == 0 || map.texels.size() != 24 * size * size || places < 1) {
     throw Error(ErrorKind::argument,
                 "a map of the Moon with " + std::to_string(map.texels.size()) + " numbers for faces of " +
-                    std::to_string(map.face_size) + " texels, in " + std::to_string(cells) + " cells",
-                {"", "", "Give six square faces of four numbers a texel, and at least one cell"});
+                    std::to_string(map.face_size) + " texels, at " + std::to_string(places) + " places of each",
+                {"", "", "Give six square faces of four numbers a texel, and at least one place"});
   }
 }
 
-/// What a sample shows an observer.
-struct SeenSample {
-  float weight; ///< solid angle of its share of the disc, in squares of the Moon's radius
-  f32::vec3 to_observer;
-};
+/// Calls `with(sample, direction to the observer, solid angle in squares of the Moon's radius)` for what is seen.
+template <class With> void for_seen(const MoonSamples& samples, const Vec3& observer, const With& with) {
+  const f32::vec3 eye(observer);
+  for (const MoonSample& sample : samples) {
+    const float height = glm::dot(sample.normal, eye) - 1.0F; // of the eye over the sample's horizon
+    if (height > 0.0F) {
+      const f32::vec3 way = eye - sample.normal;
+      const float nearness = f32::inversesqrt(glm::dot(way, way));
+      with(sample, nearness * way, sample.solid_angle * height * nearness * nearness * nearness);
+    }
+  }
+}
 
-SeenSample seen(const MoonSample& sample, const f32::vec3& observer) {
-  const f32::vec3 way = observer - sample.normal;
-  const float distance = glm::length(way);
-  const f32::vec3 to_observer = way / distance;
-  return {sample.solid_angle * glm::dot(sample.normal, to_observer) / (distance * distance), to_observer};
+float sunlit_reflectance(const MoonSample& sample, const f32::vec3& to_observer, const f32::MoonLighting& light) {
+  return glm::dot(sample.normal, light.to_sun) > -f32::lunar_relief_reach
+             ? f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer, light.to_sun,
+                                             light.sun_radius_rad, light.sun_law)
+             : 0.0F;
 }
 
 } // namespace
 
-MoonSamples sample_moon(const MoonMap& map, int cells) {
-  hold_sizes(map, cells);
+MoonSamples sample_moon(const MoonMap& map, int places) {
+  hold_sizes(map, places);
   MoonSamples samples;
-  samples.reserve(6 * static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
-  // Places inside the cells follow the additive sequence of the plastic number: as even as a grid, without its rows.
-  const auto inside = [](double step, std::size_t i) { return std::fmod(step * static_cast<double>(i), 1.0); };
+  samples.reserve(6 * static_cast<std::size_t>(places));
+  // The additive sequence of the plastic number fills a square as evenly as a grid, without its rows.
+  const auto along_edge = [](double step, int i) { return 2.0 * std::fmod(step * i, 1.0) - 1.0; };
   for (int face = 0; face < 6; ++face) {
-    for (int row = 0; row < cells; ++row) {
-      for (int column = 0; column < cells; ++column) {
-        const double right = 2.0 * (column + inside(0.7548776662466927, samples.size())) / cells - 1.0;
-        const double up = 1.0 - 2.0 * (row + inside(0.5698402909980532, samples.size())) / cells;
-        const f64::vec3 place = f64::cube_direction(face, {right, up});
-        const double radius = glm::length(place);
-        const f64::vec4 texel = between_texels(map, face, right, up);
-        samples.push_back({f32::vec3(place / radius), f32::vec3(glm::normalize(f64::vec3(texel.y, texel.z, texel.w))),
-                           static_cast<float>(texel.x),
-                           static_cast<float>(4.0 / (cells * cells * radius * radius * radius))});
-      }
+    for (int i = 0; i < places; ++i) {
+      const double right = along_edge(0.7548776662466927, i + 1);
+      const double up = along_edge(0.5698402909980532, i + 1);
+      const f64::vec3 place = f64::cube_direction(face, {right, up});
+      const double radius = glm::length(place);
+      const f64::vec4 texel = between_texels(map, face, right, up);
+      samples.push_back({f32::vec3(place / radius), f32::vec3(glm::normalize(f64::vec3(texel.y, texel.z, texel.w))),
+                         static_cast<float>(texel.x), static_cast<float>(4.0 / (places * radius * radius * radius))});
     }
   }
   return samples;
@@ -80,39 +84,37 @@ MoonSamples sample_moon(const MoonMap& map, int cells) {
 
 MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting) {
   const f32::MoonLighting light = in_single(lighting);
-  const f32::vec3 eye(observer);
   MoonLightSums sums;
-  for (const MoonSample& sample : samples) {
-    const SeenSample view = seen(sample, eye);
-    if (view.weight <= 0.0F) {
-      continue;
-    }
-    const float weight = view.weight * sample.albedo;
+  for_seen(samples, observer, [&](const MoonSample& sample, const f32::vec3& to_observer, float solid_angle) {
+    const float weight = solid_angle * sample.albedo;
     sums.earth += static_cast<double>(
-        weight * f32::lunar_relief_reflectance(sample.normal, sample.relief, view.to_observer, light.to_earth,
+        weight * f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer, light.to_earth,
                                                f32::earth_radius_from_moon_rad, light.earth_law));
-    if (glm::dot(sample.normal, light.to_sun) > -f32::lunar_relief_reach) {
-      sums.sun += static_cast<double>(weight * f32::lunar_relief_reflectance(sample.normal, sample.relief,
-                                                                             view.to_observer, light.to_sun,
-                                                                             light.sun_radius_rad, light.sun_law));
-    }
-  }
+    sums.sun += static_cast<double>(weight * sunlit_reflectance(sample, to_observer, light));
+  });
   return {sums.sun / std::numbers::pi, sums.earth / std::numbers::pi};
 }
 
 Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
                     const std::function<Vec4(const Vec3&)>& eclipse_xyzs) {
   const f32::MoonLighting light = in_single(lighting);
-  const f32::vec3 eye(observer);
   Vec4 sum(0.0);
-  for (const MoonSample& sample : samples) {
-    const SeenSample view = seen(sample, eye);
-    if (view.weight > 0.0F) {
-      sum += Vec4(view.weight * f32::moon_luminance(sample.albedo, sample.normal, sample.relief, view.to_observer,
-                                                    light, f32::vec4(eclipse_xyzs(Vec3(sample.normal)))));
-    }
-  }
+  for_seen(samples, observer, [&](const MoonSample& sample, const f32::vec3& to_observer, float solid_angle) {
+    sum += Vec4(solid_angle * f32::moon_luminance(sample.albedo, sample.normal, sample.relief, to_observer, light,
+                                                  f32::vec4(eclipse_xyzs(Vec3(sample.normal)))));
+  });
   return sum;
+}
+
+void for_sunlit(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                const std::function<void(const MoonSample&, double)>& with) {
+  const f32::MoonLighting light = in_single(lighting);
+  for_seen(samples, observer, [&](const MoonSample& sample, const f32::vec3& to_observer, float solid_angle) {
+    const float reflectance = sunlit_reflectance(sample, to_observer, light);
+    if (reflectance > 0.0F) {
+      with(sample, static_cast<double>(solid_angle * sample.albedo * reflectance) / std::numbers::pi);
+    }
+  });
 }
 
 f32::MoonLighting in_single(const f64::MoonLighting& lighting) {

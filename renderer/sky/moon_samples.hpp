@@ -20,10 +20,10 @@ struct MoonSample {
 
 using MoonSamples = std::vector<MoonSample>;
 
-/// \param cells along an edge of a cube face: one place in each, 6 cells^2 in all. With 96 the light of a disc is found
-///        within 0.2 % to phase angles of 120 degrees.
-/// Throws Error(argument) unless the map has six square faces and there is a cell.
-[[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int cells = 96);
+/// \param places on each face of the cube, at least 1. With 16384 the light of a disc is found within 0.05 % to 150
+///        degrees of phase and 0.5 % to 172.
+/// Throws Error(argument) unless the map has six square faces and there is a place.
+[[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int places = 16384);
 
 /// Illuminances, per lux on a plane at the Moon that faces the light, that a disc gives an observer.
 struct MoonLightSums {
@@ -38,6 +38,10 @@ struct MoonLightSums {
 /// \param eclipse_xyzs of a place on the unit sphere, in the Moon's axes
 [[nodiscard]] Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
                                   const std::function<Vec4(const Vec3&)>& eclipse_xyzs);
+
+/// Calls `with` for the samples that the Sun lights, with the part of MoonLightSums::sun that is theirs.
+void for_sunlit(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                const std::function<void(const MoonSample&, double)>& with);
 
 /// Lighting as the GPU holds it.
 [[nodiscard]] f32::MoonLighting in_single(const f64::MoonLighting& lighting);

@@ -38,13 +38,18 @@ SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Ang
           moon_irradiance(phase_angle, distance, from_sun)};
 }
 
-std::vector<SkyLight> lights_of(const SkyState& sky) {
+Spectrum sunlight_of(const SkyState& sky) {
+  const Spectrum whole = sun_light(sky.sun.direction_horizon, sky.sun.distance).irradiance;
+  return sky.solar_eclipse.magnitude > 0.0 ? filtered(whole, sunlight_past_moon(sky.solar_eclipse)) : whole;
+}
+
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
   const BodyPlace& moon = sky.moon.place;
   std::vector<SkyLight> lights{
       sun_light(sky.sun.direction_horizon, sky.sun.distance),
       {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight_of(sky)}};
-  if (sky.solar_eclipse.magnitude > 0.0) {
-    lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
+  if (sun == SunInEclipse::as_observed) {
+    lights[0].irradiance = sunlight_of(sky);
   }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });

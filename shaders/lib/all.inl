@@ -14,6 +14,7 @@
 #include "vesper/shaders/lib/sky_map.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
+#include "vesper/shaders/lib/moon_shadow.glsl"
 #include "vesper/shaders/lib/sun.glsl"
 #include "vesper/shaders/lib/moon_surface.glsl"
 #include "vesper/shaders/lib/lunar_eclipse.glsl"

@@ -2,6 +2,7 @@
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/photometry.hpp"
+#include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_disc.hpp"
 #include "vesper/sky/sky_light.hpp"
 
@@ -94,6 +95,65 @@ template <class Surface> void compare(const Surface& surface, const std::string&
 TEST(MoonDisc, AddsUpToTheLightOfTheMoon) { compare(test::waved_surface, "a Moon with relief"); }
 TEST(MoonDisc, AddsUpToTheLightOfAnEvenMoon) { compare(test::even_surface, "an even Moon"); }
 
+TEST(MoonDisc, AddsUpToTheLightOfTheEclipsedMoon) {
+  // Each place with its own share of the sunlight against the mean over the disc that lights the air.
+  const MoonSamples samples = sample_moon(default_moon_map());
+  test::ErrorSum y;
+  test::ErrorSum others;
+  for (const char* middle : {"2010-12-21T08:17:00Z", "2011-06-15T20:12:37Z", "2012-06-04T11:03:00Z"}) {
+    for (int quarters = -12; quarters <= 12; ++quarters) {
+      const SkyState sky = sky_state(later(parse_instant(middle), 900.0 * quarters), mangalore);
+      const MoonDisc disc = moon_disc(sky, samples);
+      const LunarEclipseState& eclipse = sky.lunar_eclipse;
+      const LunarEclipseTable table = lunar_eclipse_table(eclipse, moon_illumination(sky).sunlit_moon);
+      const f64::EarthShadow shadow = earth_shadow(eclipse, sky.moon.moon_fixed_from_icrs);
+      const Vec3 moon_km = sky.moon.moon_fixed_from_icrs * eclipse.moon_km;
+      const Vec4 drawn = sum_moon_light(
+          samples, disc.distance / moon_mean_radius * disc.to_observer, disc.lighting, [&](const Vec3& normal) {
+            return f64::lunar_eclipse_shares(moon_km + moon_mean_radius.to(kilometre) * normal, shadow, table.frame,
+                                             table.sampler());
+          });
+      y.add(100.0 * (drawn.y / disc.illuminance.y - 1.0));
+      for (const double ratio :
+           {drawn.x / disc.illuminance.x, drawn.z / disc.illuminance.z, drawn.w / disc.illuminance.s}) {
+        others.add(100.0 * (ratio - 1.0));
+      }
+    }
+  }
+  y.hold("luminance over the eclipsed disc against the irradiance", 0.5, "%");
+  others.hold("X, Z and S of it", 0.7, "%");
+}
+
+double gain(const f64::LunarLaw& drawn, const f64::LunarLaw& law) {
+  return (drawn.seeliger + drawn.lambert) / (law.seeliger + law.lambert);
+}
+
+TEST(MoonDisc, OfTheBuiltInMapIsSampledFinelyEnough) {
+  // Its places against 15 times as many; and against the laws for an even sphere, whose light it shares out.
+  const MoonSamples samples = sample_moon(default_moon_map());
+  const MoonSamples many = sample_moon(default_moon_map(), 250000);
+  test::ErrorSum sampling;
+  test::ErrorSum sun;
+  test::ErrorSum earth;
+  for (const SkyState& sky : skies(24)) {
+    const f64::MoonLighting lighting = moon_disc(sky, samples).lighting;
+    const f64::MoonLighting fine = moon_disc(sky, many).lighting;
+    const f64::LunarLaw law = lunar_law(sky.moon.phase_angle);
+    if (sky.moon.phase_angle < 172.0 * deg) {
+      sampling.add(100.0 * (gain(lighting.sun_law, fine.sun_law) - 1.0));
+    }
+    sampling.add(100.0 * (gain(lighting.earth_law, fine.earth_law) - 1.0));
+    if (sky.moon.phase_angle < 150.0 * deg) {
+      sun.add(100.0 * (gain(lighting.sun_law, law) - 1.0));
+    }
+    earth.add(100.0 * (gain(lighting.earth_law, lunar_law(moon_illumination(sky).earthlight_phase)) - 1.0));
+  }
+  sampling.hold("light of the built-in map from the places added up, to 172 degrees of phase", 0.5, "%");
+  sun.hold("light of the built-in map by the Sun against the phase law, to 150 degrees of phase, scaled away", 20.0,
+           "%");
+  earth.hold("light of the built-in map by the Earth against that of an even sphere, scaled away", 5.0, "%");
+}
+
 TEST(MoonDisc, GivesTheSkyTheSameLight) {
   const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 32));
   test::ErrorSum error;
@@ -120,9 +180,7 @@ TEST(MoonDisc, EvenSurfaceNeedsNoGain) {
       const MoonDisc disc = moon_disc(sky, samples);
       const f64::LunarLaw law = lunar_law(sky.moon.phase_angle);
       // The albedo of the map is 0.12, the Moon's in lux 0.119: 133.3 klx of sunlight against 0.31 of moonlight.
-      const double gain =
-          (disc.lighting.sun_law.seeliger + disc.lighting.sun_law.lambert) / (law.seeliger + law.lambert);
-      error.add(100.0 * (gain * 0.12 / 0.1190 - 1.0));
+      error.add(100.0 * (gain(disc.lighting.sun_law, law) * 0.12 / 0.1190 - 1.0));
     }
   }
   error.hold("the law's gain over a smooth sphere", 2.5, "%");
@@ -131,7 +189,7 @@ TEST(MoonDisc, EvenSurfaceNeedsNoGain) {
 TEST(MoonDisc, LibrationPointLiesUnderTheObserver) {
   test::ErrorSum centre;
   test::ErrorSum pole;
-  const MoonSamples samples = sample_moon(test::map_of(test::even_surface, 8), 8);
+  const MoonSamples samples = sample_moon(test::map_of(test::even_surface, 16), 100);
   for (const SkyState& sky : skies(30)) {
     const MoonDisc disc = moon_disc(sky, samples);
     const Vec3 under = disc.moon_fixed_from_horizon * -disc.direction;
