@@ -6,7 +6,7 @@
 namespace vesper {
 namespace {
 
-constexpr std::array<std::string_view, layer_count> names{"stars", "planets", "sky", "ground"};
+constexpr std::array<std::string_view, layer_count> names{"stars", "planets", "moon", "sun", "sky", "ground"};
 
 } // namespace
 

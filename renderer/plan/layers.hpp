@@ -12,10 +12,12 @@ namespace vesper {
 enum class Layer : std::size_t {
   stars,   ///< point sources of the catalogue
   planets, ///< Mercury to Neptune, as point sources
+  moon,    ///< its disc, which hides what is behind it
+  sun,     ///< its disc and, where nothing outshines it, the corona; the Moon hides them
   sky,     ///< light scattered in the air, from the Sun and the Moon
   ground,  ///< the opaque Earth below the horizon; with the sky's layer, lit
 };
-inline constexpr std::size_t layer_count = 4;
+inline constexpr std::size_t layer_count = 6;
 
 using LayerSet = std::bitset<layer_count>;
 
