@@ -225,6 +225,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "calendar"   ? "\"gregorian\""
              : option.name == "medium"     ? "\"published\""
              : option.name == "sky"        ? "\"tables\""
+             : option.name == "danjon"     ? "3"
                                            : "7") +
             "\n";
   }
