@@ -93,8 +93,8 @@ struct FramePlan {
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
 /// \param before the plan of an earlier frame, whose tables of extinction serve again (and need not be made, in 3 ms
-///        each) where medium, height and the air that bends the light are the same; likewise what is known of the air in
-///        an eclipse of the Sun (0.2 s)
+///        each) where medium, height and the air that bends the light are the same; likewise what is known of the air
+///        in an eclipse of the Sun (0.2 s)
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);
 

@@ -33,6 +33,9 @@ SkyState sky_with(const Vec3& sun, const Vec3& moon, Length height) {
   sky.moon.place.direction_horizon = moon;
   sky.moon.place.direction_equatorial = -sun;
   sky.moon.place.distance = 384400.0 * kilometre;
+  sky.lunar_eclipse.axis = -sun;
+  sky.lunar_eclipse.moon_km = -384400.0 * sun;
+  sky.lunar_eclipse.sun_distance = 1.0 * astronomical_unit;
   return sky;
 }
 
