@@ -11,8 +11,6 @@
 namespace vesper {
 namespace {
 
-Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
-
 void require_scale(double scale, const char* whose) {
   if (!(scale >= 1.0 && scale <= largest_disc_scale)) {
     throw Error(ErrorKind::argument, fmt::format("a scale of {} for the {}", scale, whose),

@@ -81,7 +81,7 @@ protected:
     for (const PlannedLight& light : plan.lights) {
       const Xyzs seen_light = sky_luminance(
           *options.air.sky_tables, {sky.observer.height, light.direction, light.angular_radius, view_direction});
-      sum += light.xyzs_from_sunlight * Vec4(seen_light.x, seen_light.y, seen_light.z, seen_light.s);
+      sum += light.xyzs_from_sunlight * vector_of(seen_light);
     }
     return Vec4(left) * sum;
   }
