@@ -2,7 +2,10 @@
 
 #include "vesper/astro/constants.hpp"
 #include "vesper/base/gauss_legendre.hpp"
+#include "vesper/light/corona.hpp"
 #include "vesper/light/response_functions.hpp"
+#include "vesper/light/seen_rings.hpp"
+#include "vesper/light/solar_disc.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +18,15 @@ namespace {
 
 using std::numbers::pi;
 
-/// Neckel's wavelengths, at which the share of light is found.
-constexpr std::array neckel_nm{440.0, 550.0, 680.0};
-constexpr std::array neckel_power{0.652, 0.503, 0.397};
+/// At which the share of light that is left of the Moon's is found.
+constexpr std::array shadow_nm{440.0, 550.0, 680.0};
 
 double between(const std::array<double, 3>& values, double nm) {
-  const std::size_t i = nm < neckel_nm[1] ? 0 : 1;
-  return values[i] + (values[i + 1] - values[i]) * (nm - neckel_nm[i]) / (neckel_nm[i + 1] - neckel_nm[i]);
+  const std::size_t i = nm < shadow_nm[1] ? 0 : 1;
+  return values[i] + (values[i + 1] - values[i]) * (nm - shadow_nm[i]) / (shadow_nm[i + 1] - shadow_nm[i]);
 }
 
-/// Over the whole range of the eye, from the shares at Neckel's wavelengths.
+/// Over the whole range of the eye, from the shares at those wavelengths.
 Spectrum spectrum_of(const std::array<double, 3>& shares) {
   std::vector<double> wavelengths;
   std::vector<double> values;
@@ -38,43 +40,60 @@ Spectrum spectrum_of(const std::array<double, 3>& shares) {
 constexpr double umbral_share = 2.0e-5;
 constexpr double umbral_reddening = 4.0;
 
+/// Light of a disc of brightness mu^power within a share r of its radius, over all of it.
+double within(double r, double power) {
+  return 1.0 - std::pow(std::max(0.0, (1.0 - r) * (1.0 + r)), 0.5 * power + 1.0);
+}
+
+/// Shares of the light of six discs, of brightness mu^powers[k], that pass another disc.
+LimbSeries sunlight_seen(const SeenRings& rings, const LimbPowers& powers) {
+  LimbSeries seen{};
+  for (std::size_t k = 0; k < limb_terms; ++k) {
+    seen.at(k) = within(rings.inside_until, powers[k]) + 1.0 - within(rings.outside_from, powers[k]);
+  }
+  for (const SeenRings::Node& node : rings.crossed) {
+    const double mu = std::sqrt(std::max(0.0, (1.0 - node.radius) * (1.0 + node.radius)));
+    const double step = std::pow(mu, powers.step);
+    double brightness = std::pow(mu, powers.lowest);
+    for (std::size_t k = 0; k < limb_terms; ++k) {
+      seen.at(k) += node.weight * (powers[k] + 2.0) * node.radius * brightness;
+      brightness *= step;
+    }
+  }
+  return seen;
+}
+
 } // namespace
 
-double limb_darkening_power(double wavelength_nm) { return between(neckel_power, wavelength_nm); }
-
 double sunlight_seen(double sun, double other, double separation, double power) {
-  const double radius = other / sun; // now the Sun's is 1
-  const double distance = separation / sun;
-  if (distance >= 1.0 + radius) {
-    return 1.0;
-  }
-  if (radius >= 1.0 + distance) {
-    return 0.0;
-  }
-  // Light of the disc inside a circle about its centre.
-  const auto inside = [&](double r) { return 1.0 - std::pow(std::max(0.0, (1.0 - r) * (1.0 + r)), 0.5 * power + 1.0); };
-  // Circles that the other disc's edge crosses; those further inside are seen wholly or not at all.
-  const double first = std::min(std::abs(distance - radius), 1.0);
-  const double last = std::min(distance + radius, 1.0);
-  double seen = (distance >= radius ? inside(first) : 0.0) + 1.0 - inside(last);
-  static const std::vector<QuadratureNode> rule = gauss_legendre(48);
-  for (const QuadratureNode& node : rule) {
-    // Nodes crowd at both ends, where arcs and brightness change as square roots.
-    const double r = first + (last - first) * 0.5 * (1.0 - std::cos(pi * node.place));
-    const double step = (last - first) * 0.5 * pi * std::sin(pi * node.place) * node.weight;
-    const double brightness = (power + 2.0) * r * std::pow(std::max(0.0, (1.0 - r) * (1.0 + r)), 0.5 * power);
-    seen += step * brightness * (1.0 - f64::common_chord_half_angle(r, radius, distance) / pi);
+  const SeenRings rings = rings_past_disc(other / sun, separation / sun, 0.0, 1.0);
+  double seen = within(rings.inside_until, power) + 1.0 - within(rings.outside_from, power);
+  for (const SeenRings::Node& node : rings.crossed) {
+    const double mu_square = std::max(0.0, (1.0 - node.radius) * (1.0 + node.radius));
+    seen += node.weight * (power + 2.0) * node.radius * std::pow(mu_square, 0.5 * power);
   }
   return std::clamp(seen, 0.0, 1.0);
 }
 
-Spectrum sunlight_past_moon(const SolarEclipseState& eclipse) {
-  std::array<double, 3> shares{};
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    shares[i] = sunlight_seen(eclipse.sun_semidiameter.to(rad), eclipse.moon_semidiameter.to(rad),
-                              eclipse.separation.to(rad), neckel_power[i]);
+Spectrum sunlight_past_moon(const SolarEclipseState& eclipse, LimbDarkening law) {
+  const double sun = eclipse.sun_semidiameter.to(rad);
+  const double moon = eclipse.moon_semidiameter.to(rad);
+  const double separation = eclipse.separation.to(rad);
+  const LimbPowers powers = limb_powers(law);
+  const LimbSeries seen = sunlight_seen(rings_past_disc(moon / sun, separation / sun, 0.0, 1.0), powers);
+  const CoronaLight corona = corona_seen(sun, moon, separation);
+  std::vector<double> wavelengths;
+  std::vector<double> values;
+  for (int nm = response_first_nm - 1; nm <= response_last_nm + 1; ++nm) {
+    const LimbSeries series = limb_series(nm, law);
+    double disc = 0.0;
+    for (std::size_t k = 0; k < limb_terms; ++k) {
+      disc += series.at(k) * powers.disc_mean(k) * seen.at(k);
+    }
+    wavelengths.push_back(nm);
+    values.push_back(std::clamp(disc, 0.0, 1.0) + corona.electrons + corona.dust * dust_reddening(nm));
   }
-  return spectrum_of(shares);
+  return {std::move(wavelengths), std::move(values)};
 }
 
 Spectrum sunlight_on_moon(const LunarEclipseState& eclipse) {
@@ -97,8 +116,8 @@ Spectrum sunlight_on_moon(const LunarEclipseState& eclipse) {
           eclipse.moon_km + moon_km * std::sqrt(ring.place) * (std::cos(azimuth) * aside + std::sin(azimuth) * upward);
       const f64::vec3 discs = f64::earth_shadow_discs(point, shadow);
       for (std::size_t i = 0; i < shares.size(); ++i) {
-        const double umbral = umbral_share * std::pow(neckel_nm[i] / neckel_nm[1], umbral_reddening);
-        const double seen = sunlight_seen(discs.x, discs.y, discs.z, neckel_power[i]);
+        const double umbral = umbral_share * std::pow(shadow_nm[i] / shadow_nm[1], umbral_reddening);
+        const double seen = sunlight_seen(discs.x, discs.y, discs.z, limb_darkening_power(shadow_nm[i]));
         shares[i] += ring.weight / azimuths * (umbral + (1.0 - umbral) * seen);
       }
     }
