@@ -15,3 +15,4 @@
 #include "vesper/shaders/lib/sun.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
+#include "vesper/shaders/lib/dark_sky.glsl"
