@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/earth_state.hpp"
+#include "vesper/astro/time.hpp"
 #include "vesper/base/vector.hpp"
 
 namespace vesper {

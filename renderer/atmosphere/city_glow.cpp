@@ -38,7 +38,8 @@ void validate(const CityGlow& glow) {
                 {"", "", "Give 0 or more"});
   }
   if (!(distance_km >= 1.0 && distance_km <= 300.0)) {
-    throw Error(ErrorKind::argument, "a city " + std::to_string(distance_km) + " km away", {"", "", "Give 1 to 300 km"});
+    throw Error(ErrorKind::argument, "a city " + std::to_string(distance_km) + " km away",
+                {"", "", "Give 1 to 300 km"});
   }
   if (glow.azimuth && !std::isfinite(glow.azimuth->to(deg))) {
     throw Error(ErrorKind::argument, "a city's azimuth that is no number", {"", "", "Give degrees"});
@@ -97,8 +98,8 @@ double CityGlowPattern::scattered(double sin_altitude, double cos_azimuth) const
     const double cos_angle = -glm::dot(from_city, view) / from_city_km;
     double source = 0.0;
     for (const Air& part : air_) {
-      source += part.scattering_per_km * part.profile.at(height_km) *
-                phase_function(part.kind, cos_angle, part.parameter);
+      source +=
+          part.scattering_per_km * part.profile.at(height_km) * phase_function(part.kind, cos_angle, part.parameter);
     }
     sum += 2.0 * end_km * node.place * node.weight * source * std::exp(-slant) *
            upward_light(height_km / from_city_km) / (from_city_km * from_city_km);

@@ -11,8 +11,8 @@ namespace vesper {
 
 /// What is said of artificial light: how bright it makes the zenith, and where it comes from.
 struct CityGlow {
-  Luminance zenith;             ///< of artificial light alone, at the observer; none by default
-  std::optional<Angle> azimuth; ///< of the city, north through east; without one, cities all around
+  Luminance zenith;                   ///< of artificial light alone, at the observer; none by default
+  std::optional<Angle> azimuth;       ///< of the city, north through east; without one, cities all around
   Length distance = 30.0 * kilometre; ///< to the city, 1 to 300 km
 };
 

@@ -19,7 +19,7 @@ public:
   [[nodiscard]] Vec4 share(const std::vector<double>& columns_km) const;
 
 private:
-  std::vector<Vec4> weights_;                        ///< by nanometre; they sum to 1
+  std::vector<Vec4> weights_;                          ///< by nanometre; they sum to 1
   std::vector<std::vector<double>> extinction_per_km_; ///< by nanometre and component
 };
 

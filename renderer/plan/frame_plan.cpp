@@ -25,12 +25,16 @@ int copies_of(Projection projection) {
   }
 }
 
+std::optional<RefractionConditions> bending_of(const SkyState& sky, const AirOptions& air) {
+  if (air.refraction && sky.refraction.model != RefractionModel::none) {
+    return sky.refraction.conditions;
+  }
+  return std::nullopt;
+}
+
 std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, const AirOptions& air,
                                                         std::shared_ptr<const Medium> medium, const FramePlan* before) {
-  std::optional<RefractionConditions> bending;
-  if (air.refraction && sky.refraction.model != RefractionModel::none) {
-    bending = sky.refraction.conditions;
-  }
+  const std::optional<RefractionConditions> bending = bending_of(sky, air);
   const Length height = sky.observer.height;
   if (before != nullptr && before->extinction != nullptr && before->extinction->medium == medium &&
       before->extinction->height == height && before->extinction->bending == bending) {
@@ -66,12 +70,14 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
     plan.star_count = static_cast<std::size_t>(stars.rend() - last);
   }
   plan.star_copies = copies_of(view.projection);
+  static const auto clear = std::make_shared<const Medium>(clear_medium());
+  const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
+  const bool beyond_air = has(options.layers, Layer::zodiacal) || has(options.layers, Layer::milky_way);
   if (options.air.extinction) {
-    static const auto clear = std::make_shared<const Medium>(clear_medium());
-    const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
     if (plan.cheap_stars) {
       plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);
-    } else {
+    }
+    if (!plan.cheap_stars || beyond_air) {
       plan.extinction = extinction_for(sky, options.air, medium, before);
     }
   }
@@ -82,6 +88,9 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
     plan.lights = planned_lights(sky, plan.refraction);
   }
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
+  plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,
+                                options.air.sky_tables, bending_of(sky, options.air), plan.horizon_sin_altitude,
+                                before != nullptr ? before->dark_sky.get() : nullptr);
   return plan;
 }
 

@@ -6,6 +6,7 @@
 #include "vesper/atmosphere/sky_tables.hpp"
 #include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/plan/dark_sky_plan.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -24,7 +25,8 @@ struct AirOptions {
   bool refraction = true;
   bool extinction = true;
   std::shared_ptr<const Medium> medium; ///< what dims the stars; clear_medium() where there is none
-  /// The light of that medium, for the layer `sky`; none is drawn without. Plans share them: they are copied to the GPU
+  /// The light of that medium, for the layer `sky` (none is drawn without) and for what the air scatters of the dark
+  /// sky's own light. Plans share them: they are copied to the GPU
   /// once.
   std::shared_ptr<const SkyTables> sky_tables;
   bool scintillation = true;
@@ -38,6 +40,7 @@ struct AirOptions {
 struct FrameOptions {
   LayerSet layers = all_layers();
   AirOptions air;
+  DarkSkyOptions dark_sky;
   std::uint32_t seed = 0;
   std::uint32_t frame_number = 0; ///< counts the frames of a sequence; the cheap scintillation's only clock
   double control_magnitude = 4.0; ///< of the cheap tier (Mueller et al. 2012, m_a)
@@ -72,13 +75,15 @@ struct FramePlan {
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
   std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
   std::vector<PlannedLight> lights;                    ///< of the layer `sky`; none where it is not drawn
+  std::shared_ptr<const PlannedDarkSky> dark_sky;      ///< none where none of its layers is drawn
   Refraction refraction;                               ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
-/// \param before the plan of an earlier frame, whose table of extinction serves again (and need not be made, in 3 ms)
-///        where medium, height and the air that bends the light are the same
+/// \param before the plan of an earlier frame, whose tables for the observer's place serve again (and need not be made,
+/// in 3 ms, or
+///        30 for the dark sky's) where medium, height and the air that bends the light are the same
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);
 

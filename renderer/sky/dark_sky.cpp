@@ -36,7 +36,8 @@ DarkSky dark_sky(const SkyState& sky, const DarkSkyOptions& options) {
   dark.sin_sun_radius = sun.shading.sin_radius;
   dark.dust_corona = sun.shading.f_corona;
   dark.starlight_s10 = starlight_unit;
-  dark.airglow = airglow_s10(options.solar_flux_sfu.value_or(80.0 + 120.0 * solar_activity(sky.instant))) * airglow_unit;
+  dark.airglow =
+      airglow_s10(options.solar_flux_sfu.value_or(80.0 + 120.0 * solar_activity(sky.instant))) * airglow_unit;
   dark.glow = options.glow;
   return dark;
 }

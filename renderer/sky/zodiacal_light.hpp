@@ -13,8 +13,8 @@ namespace vesper {
 
 /// Radiance at 500 nm, 1e-8 W/(m2 sr um): Leinert et al. 1998, table 17, exactly at its places and smooth between them
 /// (cubics in the logarithm, over the law of f64::dust_law). Nearer to the Sun than the table goes, 15 degrees in the
-/// ecliptic, that law leads on to the Sun's corona. The table is symmetric; that the dust's plane is tilted by 3 degrees
-/// against the ecliptic, and the Earth's place above or below it, is left out: up to 10 % by season.
+/// ecliptic, that law leads on to the Sun's corona. The table is symmetric; that the dust's plane is tilted by 3
+/// degrees against the ecliptic, and the Earth's place above or below it, is left out: up to 10 % by season.
 [[nodiscard]] double zodiacal_radiance_500nm(const Vec3& direction);
 
 /// X, Y, Z and S, cd/m2, in the colour of the elongation (zodiacal_spectrum in night_light.hpp).
