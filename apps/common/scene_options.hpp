@@ -8,6 +8,7 @@
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
+#include "vesper/sky/dark_sky.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -52,7 +53,8 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
-  std::uint64_t seed = 0; ///< of everything random
+  DarkSkyOptions dark_sky; ///< the Sun's activity and artificial light
+  std::uint64_t seed = 0;  ///< of everything random
 };
 
 /// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.

@@ -53,6 +53,9 @@ OutputKind output_kind(const std::string& path) {
               {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
 }
 
+/// What the air scatters is found by tables.
+bool needs_sky_tables(const LayerSet& layers) { return has(layers, Layer::sky) || draws_dark_sky(layers); }
+
 std::string air_text(const Refraction& refraction) {
   return refraction.model == RefractionModel::none
              ? "no refraction"
@@ -89,7 +92,7 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   if (!options.catalogue.empty()) {
     own = read_star_glb(options.catalogue);
   }
-  if (scene.sky == SkyModel::reference && has(scene.layers, Layer::sky)) {
+  if (scene.sky == SkyModel::reference && needs_sky_tables(scene.layers)) {
     throw Error(ErrorKind::argument, "--sky reference is too slow for a frame",
                 {"", "", "Give --sky tables or small-tables, or ask vesper-report sky --reference for a picture"});
   }
@@ -100,9 +103,10 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
   frame_options.air.refraction = options.refraction == "on";
   frame_options.air.medium = scene.medium;
-  if (has(scene.layers, Layer::sky)) {
+  if (needs_sky_tables(scene.layers)) {
     frame_options.air.sky_tables = scene_sky_tables(scene);
   }
+  frame_options.dark_sky = scene.dark_sky;
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;
@@ -120,7 +124,7 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
   Luminance white = gpu::star_chart_white(scene.view);
-  if (kind == OutputKind::png && !plan.lights.empty()) {
+  if (kind == OutputKind::png && (!plan.lights.empty() || plan.dark_sky)) {
     // What is metered is the light of areas, not of points.
     FrameOptions metered = frame_options;
     metered.layers.reset(static_cast<std::size_t>(Layer::stars)).reset(static_cast<std::size_t>(Layer::planets));

@@ -94,10 +94,11 @@ void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
   sky.refraction = refraction_of(scene);
   const SceneAir air(scene, path_budget(options.budget, scene));
-  const ReportedScene reported{sky, air, {}};
-  deliver(options.json              ? scene_json(reported, columns)
-          : options.columns.empty() ? scene_text(sky, default_star_catalogue(), light_of(reported))
-                                    : scene_lines(reported, columns),
+  const ReportedScene reported{sky, air, {}, {}};
+  deliver(options.json ? scene_json(reported, columns)
+          : options.columns.empty()
+              ? scene_text(sky, default_star_catalogue(), light_of(reported), dark_light_of(reported))
+              : scene_lines(reported, columns),
           options.output);
 }
 
@@ -227,7 +228,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "--columns", options.columns,
          "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
          "medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, sun_direct_illuminance_lux, "
-         "sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's; default (the usual ones), planets "
+         "sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, airglow_zenith_luminance_cd_m2, "
+         "airglow_illuminance_lux and those of zodiacal, starlight and sky_glow; default (the usual ones), planets "
          "and light stand for groups; default default, of a scene as JSON light too")
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);

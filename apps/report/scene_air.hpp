@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/scene_options.hpp"
+#include "report/dark_light.hpp"
 
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/atmosphere/reference_transport.hpp"
@@ -26,6 +27,9 @@ public:
   [[nodiscard]] SkyModel model() const;
   /// From a cache, if they are there (sky_tables_cache.hpp); takes seconds otherwise.
   [[nodiscard]] const SkyTables& tables() const;
+  /// The air before the dark sky at a height, and what is said of that sky. By the tables in any model.
+  [[nodiscard]] std::shared_ptr<const DarkAir> dark_air(Length height) const;
+  [[nodiscard]] const DarkSkyOptions& dark_sky() const;
   /// At the medium's wavelengths. Takes seconds at first.
   [[nodiscard]] const ReferenceTransport& transport() const;
   [[nodiscard]] const PathBudget& budget() const;

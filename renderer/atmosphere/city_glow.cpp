@@ -37,7 +37,7 @@ void validate(const CityGlow& glow) {
     throw Error(ErrorKind::argument, "a sky glow of " + std::to_string(luminance) + " cd/m2",
                 {"", "", "Give 0 or more"});
   }
-  if (!(distance_km >= 1.0 && distance_km <= 300.0)) {
+  if (!(distance_km >= nearest_city_km && distance_km <= farthest_city_km)) {
     throw Error(ErrorKind::argument, "a city " + std::to_string(distance_km) + " km away",
                 {"", "", "Give 1 to 300 km"});
   }

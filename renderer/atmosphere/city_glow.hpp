@@ -9,11 +9,15 @@
 
 namespace vesper {
 
+/// Distances to a city that its law holds for, and between which a city is seen at all.
+inline constexpr double nearest_city_km = 1.0;
+inline constexpr double farthest_city_km = 300.0;
+
 /// What is said of artificial light: how bright it makes the zenith, and where it comes from.
 struct CityGlow {
   Luminance zenith;                   ///< of artificial light alone, at the observer; none by default
   std::optional<Angle> azimuth;       ///< of the city, north through east; without one, cities all around
-  Length distance = 30.0 * kilometre; ///< to the city, 1 to 300 km
+  Length distance = 30.0 * kilometre; ///< to the city
 };
 
 /// Throws Error(argument) naming what is out of its range.

@@ -63,6 +63,9 @@ SpreadLightViews::SpreadLightViews(std::shared_ptr<const SkyTables> tables, Leng
     : tables_(std::move(tables)), height_(height), lowest_(lowest_spread_light(*tables_, height)), rings_(ring_count) {
   const auto rings = ring_rule(lowest_);
   const std::vector<QuadratureNode> rule = gauss_legendre(turn_nodes);
+  for (const auto& [altitude, length] : rings) {
+    illuminance_.push_back(vector_of(diffuse_illuminance(*tables_, height_, altitude)));
+  }
   harmonics_.reserve(views.size() * rings.size());
   for (const Angle view : views) {
     for (const auto& [altitude, length] : rings) {
@@ -97,8 +100,8 @@ Vec4 SpreadLightViews::luminance(std::size_t view, Angle azimuth, const SpreadLi
 
 Vec4 SpreadLightViews::illuminance(const SpreadLight& light) const {
   Vec4 sum(0.0);
-  for (const SpreadLight::Ring& ring : light.rings) {
-    sum += ring.even * vector_of(diffuse_illuminance(*tables_, height_, ring.altitude));
+  for (std::size_t i = 0; i < rings_; ++i) {
+    sum += light.rings[i].even * illuminance_[i];
   }
   return sum;
 }

@@ -56,6 +56,7 @@ private:
   Angle lowest_;
   std::size_t rings_;
   std::vector<Harmonics> harmonics_;
+  std::vector<Vec4> illuminance_; ///< by ring
 };
 
 } // namespace vesper

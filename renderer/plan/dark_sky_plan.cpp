@@ -213,14 +213,18 @@ std::vector<Vec4> smooth_light(const PlannedDarkSky& planned, const LayerSet& la
 
 } // namespace
 
+bool draws_dark_sky(const LayerSet& layers) {
+  return has(layers, Layer::milky_way) || has(layers, Layer::airglow) || has(layers, Layer::zodiacal) ||
+         has(layers, Layer::sky_glow);
+}
+
 std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const LayerSet& layers,
                                                     const DarkSkyOptions& options,
                                                     const std::shared_ptr<const Medium>& medium,
                                                     const std::shared_ptr<const SkyTables>& sky_tables,
                                                     const std::optional<RefractionConditions>& bending,
                                                     double horizon_sin_altitude, const PlannedDarkSky* before) {
-  if (!has(layers, Layer::airglow) && !has(layers, Layer::zodiacal) && !has(layers, Layer::milky_way) &&
-      !has(layers, Layer::sky_glow)) {
+  if (!draws_dark_sky(layers)) {
     return nullptr;
   }
   PlannedDarkSky planned;

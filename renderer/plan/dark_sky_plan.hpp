@@ -49,7 +49,10 @@ struct PlannedDarkSky {
   std::vector<f32::vec4> air;
 };
 
-/// None where none of the layers milky_way, zodiacal, airglow and sky_glow is drawn.
+/// Whether any of the layers milky_way, airglow, zodiacal and sky_glow is drawn.
+[[nodiscard]] bool draws_dark_sky(const LayerSet& layers);
+
+/// None where none of these layers is drawn.
 /// \param bending none for rays that are straight
 /// \param before an earlier one, whose place serves again (and need not be made, in 30 ms) where it is the same
 [[nodiscard]] std::shared_ptr<const PlannedDarkSky>

@@ -77,12 +77,7 @@ Vec4 DarkSkyAir::airglow(const DarkSky& sky, double sin_altitude) const {
   return (paths.x + paths.y * airglow_.share(columns_.columns_km(sin_altitude))) * sky.airglow;
 }
 
-Vec4 DarkSkyAir::zodiacal(const DarkSky& sky, const Vec3& direction) const {
-  return zodiacal_.share(columns_km(direction.z)) * zodiacal_light(sky, direction);
-}
-
-Vec4 DarkSkyAir::starlight(const DarkSky& sky, const Vec3& direction) const {
-  return starlight_.share(columns_km(direction.z)) * faint_starlight(sky, direction);
-}
+Vec4 DarkSkyAir::zodiacal_share(double sin_altitude) const { return zodiacal_.share(columns_km(sin_altitude)); }
+Vec4 DarkSkyAir::starlight_share(double sin_altitude) const { return starlight_.share(columns_km(sin_altitude)); }
 
 } // namespace vesper

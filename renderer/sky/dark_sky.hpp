@@ -48,11 +48,12 @@ public:
   /// As RefractedColumns and LightThroughAir.
   DarkSkyAir(const Medium& medium, Length height, const std::optional<RefractionConditions>& bending);
 
-  /// Of direct light, without what the air scatters; \param sin_altitude as it is seen. In the others that is the
-  /// direction's; its refraction is left out, which for light without edges changes nothing.
+  /// Direct light of the airglow, without what the air scatters. \param sin_altitude as it is seen
   [[nodiscard]] Vec4 airglow(const DarkSky& sky, double sin_altitude) const;
-  [[nodiscard]] Vec4 zodiacal(const DarkSky& sky, const Vec3& direction) const;
-  [[nodiscard]] Vec4 starlight(const DarkSky& sky, const Vec3& direction) const;
+  /// Shares of X, Y, Z and S that the air leaves of the others. For light without edges it does not matter whether
+  /// refraction raises the direction.
+  [[nodiscard]] Vec4 zodiacal_share(double sin_altitude) const;
+  [[nodiscard]] Vec4 starlight_share(double sin_altitude) const;
 
 private:
   [[nodiscard]] std::vector<double> columns_km(double sin_altitude) const;
