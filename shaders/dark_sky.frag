@@ -31,7 +31,7 @@ layout(location = 11) uniform ivec2 extinction_size; // StarExtinctionFrame
 layout(location = 12) uniform vec3 extinction_rows;
 layout(location = 13) uniform vec2 extinction_hues;
 #else
-layout(binding = 0) uniform sampler2D map; // as that of sky.frag
+layout(binding = 0) uniform sampler2D map; // ordered as that of sky.frag; luminance
 layout(location = 5) uniform vec2 map_rows;
 layout(location = 6) uniform vec3 map_half_sines; // SkyMapFrame
 #endif
@@ -71,6 +71,6 @@ void main() {
   float row;
   vec2 place = sky_map_texel(direction, depth, cover, map_rows, texels.x,
                              SkyMapFrame(map_half_sines.x, map_half_sines.y, map_half_sines.z), row);
-  luminance = row <= 1.0001 ? exp2(textureLod(map, place / texels, 0.0)) : vec4(0.0);
+  luminance = row <= 1.0001 ? textureLod(map, place / texels, 0.0) : vec4(0.0);
 #endif
 }

@@ -19,7 +19,6 @@ using std::numbers::pi;
 constexpr int dark_rows = PlannedDarkSky::rows_below + PlannedDarkSky::rows_above;
 constexpr int dark_columns = PlannedDarkSky::columns + 1; ///< the last is the first again
 constexpr double earth_radius_km = 6371.0;
-constexpr double faintest_cd_m2 = 1.0e-30;
 
 /// A row of the map: how low it looks, as it is seen and along straight rays.
 struct DarkRow {
@@ -252,7 +251,7 @@ std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const L
     for (std::size_t column = 0; column < dark_columns; ++column) {
       const Vec4 sum =
           direct + glm::mix(smooth[low * dark_columns + column], smooth[(low + 1) * dark_columns + column], share);
-      planned.air.emplace_back(glm::log2(glm::max(sum, Vec4(faintest_cd_m2))));
+      planned.air.emplace_back(sum);
     }
   }
   return std::make_shared<const PlannedDarkSky>(std::move(planned));

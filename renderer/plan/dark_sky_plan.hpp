@@ -45,7 +45,7 @@ struct PlannedDarkSky {
   bool zodiacal = false; ///< what is drawn behind the air, through it
   bool starlight = false;
   /// What is added before everything but the ground and what is nearer: airglow, sky glow and the light that the air
-  /// scatters of all layers: log2 of X, Y, Z and S in cd/m2, in the order of the sky's map (shaders/lib/sky_map.glsl).
+  /// scatters of all layers: X, Y, Z and S in cd/m2, in the order of the sky's map (shaders/lib/sky_map.glsl).
   std::vector<f32::vec4> air;
 };
 

@@ -12,7 +12,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <tuple>
 
 namespace vesper {
 
@@ -39,30 +41,44 @@ struct Ratios {
   std::array<RatioRow, longitudes> log{};
 };
 
-/// Gives each untabulated place the mean of its neighbours, of which the table continues itself beyond the axes of
-/// symmetry: no structure that nobody has measured.
+constexpr double finest_step_deg = 5.0; ///< of the table near the Sun, in both directions
+
+/// The table's ratio between its places near the Sun, or nothing where one of them is missing.
+std::optional<double> tabulated(const Ratios& ratios, double longitude, double latitude) {
+  const auto i = static_cast<std::size_t>(longitude / finest_step_deg);
+  const auto j = static_cast<std::size_t>(latitude / finest_step_deg);
+  const double x = longitude / finest_step_deg - static_cast<double>(i);
+  const double y = latitude / finest_step_deg - static_cast<double>(j);
+  double sum = 0.0;
+  for (const auto& [di, dj, weight] : {std::tuple(0U, 0U, (1.0 - x) * (1.0 - y)), std::tuple(1U, 0U, x * (1.0 - y)),
+                                       std::tuple(0U, 1U, (1.0 - x) * y), std::tuple(1U, 1U, x * y)}) {
+    sum += weight > 0.0 ? weight * ratios.log.at(i + di).at(j + dj) : 0.0;
+  }
+  return std::isnan(sum) ? std::nullopt : std::optional(sum);
+}
+
+/// Gives each untabulated place the ratio that the table begins with farther out in the same direction from the Sun,
+/// and the Sun the mean of those about it: light falls there as the law does.
 void fill_near_sun(Ratios& ratios) {
-  struct Place {
-    int i, j;
-  };
-  const auto at = [&](int i, int j) -> double& {
-    return ratios.log.at(static_cast<std::size_t>(std::abs(i))).at(static_cast<std::size_t>(std::abs(j)));
-  };
-  std::vector<Place> unknown;
-  for (int i = 0; i < static_cast<int>(longitudes); ++i) {
-    for (int j = 0; j < static_cast<int>(latitudes); ++j) {
-      if (std::isnan(at(i, j))) {
-        unknown.push_back({i, j});
-        at(i, j) = 0.0;
+  Ratios filled = ratios;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      if (i + j == 0 || !std::isnan(ratios.log.at(i).at(j))) {
+        continue;
       }
+      std::optional<double> beyond;
+      for (double factor = 1.0; !beyond; factor += 0.01) {
+        beyond = tabulated(ratios, factor * ratios.longitude_deg.at(i), factor * latitude_deg.at(j));
+      }
+      filled.log.at(i).at(j) = *beyond;
+      sum += *beyond;
+      ++count;
     }
   }
-  constexpr int sweeps = 200; // far more than a handful of places need
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (const auto& [i, j] : unknown) {
-      at(i, j) = 0.25 * (at(i - 1, j) + at(i + 1, j) + at(i, j - 1) + at(i, j + 1));
-    }
-  }
+  filled.log.front().front() = sum / count;
+  ratios = filled;
 }
 
 Ratios make_ratios() {
