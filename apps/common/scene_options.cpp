@@ -105,13 +105,20 @@ SceneOptions SceneOptionSet::resolve(Assumptions assumptions) const {
   return scene;
 }
 
-Refraction refraction_of(const SceneOptions& scene) { return refraction_of(scene, scene.observer.height); }
-
 Refraction refraction_of(const SceneOptions& scene, Length height) {
   Refraction refraction = standard_refraction(height, scene.tier);
   refraction.conditions.pressure_hpa = scene.pressure_hpa.value_or(refraction.conditions.pressure_hpa);
   refraction.conditions.temperature_c = scene.temperature_c.value_or(refraction.conditions.temperature_c);
   return refraction;
+}
+
+SkyState sky_state_of(const SceneOptions& scene) { return sky_state_of(scene, scene.instant, scene.observer); }
+
+SkyState sky_state_of(const SceneOptions& scene, const Instant& instant, const Observer& observer) {
+  SkyState sky = sky_state(instant, observer, scene.tier);
+  sky.refraction = refraction_of(scene, observer.height);
+  sky.eclipse_air.danjon = scene.danjon;
+  return sky;
 }
 
 SceneOptions scene_from(const GivenOptions& given) {

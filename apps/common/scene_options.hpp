@@ -8,7 +8,11 @@
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
+<<<<<<< HEAD
 #include "vesper/sky/dark_sky.hpp"
+=======
+#include "vesper/sky/sky_state.hpp"
+>>>>>>> main
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -53,8 +57,13 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
+<<<<<<< HEAD
   DarkSkyOptions dark_sky; ///< the Sun's activity and artificial light
   std::uint64_t seed = 0;  ///< of everything random
+=======
+  double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
+  std::uint64_t seed = 0;              ///< of everything random
+>>>>>>> main
 };
 
 /// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.
@@ -68,9 +77,12 @@ using GivenOptions = std::map<std::string, GivenOption, std::less<>>;
 
 /// How the scene bends light: the model of its tier, under the air that was given or else the standard atmosphere's at
 /// the height. Without a table.
-[[nodiscard]] Refraction refraction_of(const SceneOptions& scene);
-/// The same for an observer at another height.
 [[nodiscard]] Refraction refraction_of(const SceneOptions& scene, Length height);
+
+/// The sky of the scene, with its air.
+[[nodiscard]] SkyState sky_state_of(const SceneOptions& scene);
+/// The same at another time and place.
+[[nodiscard]] SkyState sky_state_of(const SceneOptions& scene, const Instant& instant, const Observer& observer);
 
 enum class Assumptions { said, silent };
 

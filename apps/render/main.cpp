@@ -111,9 +111,9 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;
 
-  SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
+  SkyState sky = sky_state_of(scene);
   if (frame_options.air.refraction) {
-    sky.refraction = with_table(refraction_of(scene));
+    sky.refraction = with_table(sky.refraction);
   }
   const FramePlan plan = plan_frame(sky, scene.view, catalogue.stars, frame_options);
 

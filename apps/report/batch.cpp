@@ -158,8 +158,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
             chunk.farthest = instant;
             chunk.farthest_line = input.line(row);
           }
-          SkyState sky = sky_state(instant, observer_of_row(input, row, found, defaults.observer), defaults.tier);
-          sky.refraction = refraction_of(defaults, sky.observer.height);
+          const SkyState sky = sky_state_of(defaults, instant, observer_of_row(input, row, found, defaults.observer));
           for (std::size_t column = 0; column < input.header().size(); ++column) {
             append_csv_field(chunk.csv, input.cell(row, column));
             chunk.csv += ',';

@@ -1,11 +1,15 @@
 #include "report/eclipse_report.hpp"
 
+#include "report/body_columns.hpp"
+
 #include "common/option_text.hpp"
 
 #include "vesper/astro/local_solar_eclipse.hpp"
 #include "vesper/astro/solar_eclipse.hpp"
 #include "vesper/base/csv.hpp"
 #include "vesper/base/error.hpp"
+#include "vesper/light/photometry.hpp"
+#include "vesper/sky/moon_illumination.hpp"
 #include "vesper/sky/sky_state.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +32,7 @@ template <class Row> struct Column {
 
 struct LunarRow {
   LunarEclipse eclipse;
-  Angle moon_altitude;
+  SkyState greatest; ///< for the observer
 };
 
 Value stamp(const std::optional<Instant>& instant) { return instant ? Value(to_iso8601(*instant)) : Value(); }
@@ -47,7 +51,10 @@ constexpr std::array lunar_columns{
     Column<LunarRow>{"U3", contact_of<LunarContact::u3>},
     Column<LunarRow>{"U4", contact_of<LunarContact::u4>},
     Column<LunarRow>{"P4", contact_of<LunarContact::p4>},
-    Column<LunarRow>{"moon_altitude_deg", [](const LunarRow& r) { return Value(r.moon_altitude.to(deg)); }},
+    Column<LunarRow>{"moon_altitude_deg",
+                     [](const LunarRow& r) { return Value(r.greatest.moon.place.altitude.to(deg)); }},
+    Column<LunarRow>{"moon_magnitude", [](const LunarRow& r) { return Value(v_magnitude(moonlight_of(r.greatest))); }},
+    Column<LunarRow>{"moon_danjon", [](const LunarRow& r) { return Value(seen_danjon_of(r.greatest)); }},
 };
 
 struct SolarRow {
@@ -185,7 +192,7 @@ EclipseRequest eclipse_request(std::string_view kind, std::string_view shadow, s
   if (request.to.tt.days_since(request.from.tt) <= 0.0) {
     refuse_option("--to", to, fmt::format("later than --from, {}", from));
   }
-  request.observer = scene.observer;
+  request.scene = scene;
   return request;
 }
 
@@ -193,14 +200,15 @@ EclipseReport eclipse_report(const EclipseRequest& request, bool json) {
   if (request.kind == EclipseKind::lunar) {
     std::vector<LunarRow> rows;
     for (LunarEclipse& eclipse : lunar_eclipses(request.from, request.to, request.shadow)) {
-      const Angle altitude = sky_state(eclipse.greatest, request.observer).moon.place.altitude;
-      rows.push_back({std::move(eclipse), altitude});
+      SkyState greatest = sky_state_of(request.scene, eclipse.greatest, request.scene.observer);
+      rows.push_back({std::move(eclipse), std::move(greatest)});
     }
     return table_of(rows, lunar_columns, json);
   }
   std::vector<SolarRow> rows;
   for (SolarEclipse& eclipse : solar_eclipses(request.from, request.to)) {
-    LocalSolarEclipse local = local_solar_eclipse(eclipse.greatest, request.observer, request.umbral_radius_ratio);
+    LocalSolarEclipse local =
+        local_solar_eclipse(eclipse.greatest, request.scene.observer, request.umbral_radius_ratio);
     rows.push_back({std::move(eclipse), std::move(local)});
   }
   return table_of(rows, solar_columns, json);

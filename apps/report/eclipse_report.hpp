@@ -5,7 +5,6 @@
 
 #include "vesper/astro/constants.hpp"
 #include "vesper/astro/lunar_eclipse.hpp"
-#include "vesper/astro/observer.hpp"
 #include "vesper/astro/time.hpp"
 
 #include <string>
@@ -21,7 +20,7 @@ struct EclipseRequest {
   double umbral_radius_ratio = moon_radius_ratio; ///< k of second and third contacts of solar ones
   Instant from;                                   ///< of the greatest phase
   Instant to;                                     ///< exclusive
-  Observer observer;
+  SceneOptions scene;                             ///< the observer's
 };
 
 /// A request from the texts of --kind, --shadow, --lunar-radius, --from and --to. The last two take a year or an ISO
@@ -38,11 +37,12 @@ struct EclipseReport {
 
 /// One row an eclipse, in order.
 ///
-/// Lunar: greatest, type, gamma, umbral_magnitude, penumbral_magnitude, P1, U1, U2, U3, U4, P4 and the altitude of the
-/// Moon at the observer's place at greatest eclipse. Solar: greatest, type, gamma, the place of greatest eclipse; then
-/// local_type and, unless that is "none" because the Moon's shadow or the Sun stays away from the observer's place, C1,
-/// C2, max, C3, C4, magnitude, obscuration and the Sun's altitude at maximum. Times are UTC ("...Z") inside the leap
-/// seconds known, else UT1 ("... UT1"); what does not exist is blank, in JSON null.
+/// Lunar: greatest, type, gamma, umbral_magnitude, penumbral_magnitude, P1, U1, U2, U3, U4, P4 and, at the
+/// observer's place and greatest eclipse, the Moon's altitude, magnitude and, of total ones, Danjon's L
+/// (body_columns.hpp). Solar: greatest, type, gamma, the place of greatest eclipse; then local_type and, unless that is
+/// "none" because the Moon's shadow or the Sun stays away from the observer's place, C1, C2, max, C3, C4, magnitude,
+/// obscuration and the Sun's altitude at maximum. Times are UTC ("...Z") inside the leap seconds known, else UT1 ("...
+/// UT1"); what does not exist is blank, in JSON null.
 [[nodiscard]] EclipseReport eclipse_report(const EclipseRequest& request, bool json);
 
 } // namespace vesper

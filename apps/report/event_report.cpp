@@ -83,7 +83,7 @@ HorizonRule horizon_rule(const SceneOptions& scene, const EventOptions& options)
     refuse_option("--horizon", options.horizon, "-10 to 80 degrees");
   }
   if (options.refraction == "model") {
-    const Refraction air = with_table(refraction_of(scene));
+    const Refraction air = with_table(refraction_of(scene, scene.observer.height));
     return HorizonRule::seen(air, horizon ? *horizon * deg : horizon_altitude(air, scene.observer.height));
   }
   if (options.refraction != "almanac") {

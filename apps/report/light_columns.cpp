@@ -6,7 +6,9 @@
 #include "vesper/atmosphere/transmittance.hpp"
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
+#include "vesper/sky/moon_shadow.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -28,13 +30,15 @@ std::uint64_t stream_of(const SkyState& sky, Measure measure, std::size_t light)
 /// Sun and Moon or one of them, each to be seen by the eye.
 std::vector<WeightedLight> lights_for_eyes(const ReportedScene& scene, Measure measure, std::string_view only) {
   std::vector<WeightedLight> weighted;
-  for (SkyLight& light : lights_of(scene.sky)) {
+  const std::vector<double>& wavelengths_nm = scene.air.transport().wavelengths_nm();
+  for (SkyLight& light : lights_of(scene.sky, SunInEclipse::outside_the_shadow)) {
     if (!only.empty() && light.name != only) {
       continue;
     }
-    const std::vector<double> y = spectral_weights(light.irradiance, scene.air.transport().wavelengths_nm()).y;
+    const std::vector<double> y = spectral_weights(light.irradiance, wavelengths_nm).y;
     const std::uint64_t stream = stream_of(scene.sky, measure, light.name == "sun" ? 0 : 1);
-    weighted.push_back({std::move(light), {y}, stream});
+    LightShare share = light.name == "sun" ? moon_shadow_share(scene.sky, wavelengths_nm) : LightShare{};
+    weighted.push_back({std::move(light), {y}, stream, std::move(share)});
   }
   return weighted;
 }
@@ -58,6 +62,23 @@ double reference_zenith(const ReportedScene& scene, std::string_view only = "") 
 SourceLight reference_light(const ReportedScene& scene, std::string_view source) {
   const LevelLight level = reference_illuminance(scene, source);
   return {level.direct, level.total.mean - level.direct, reference_zenith(scene, source)};
+}
+
+/// By the tables. In an eclipse the air dims the Sun place by place, and the observer sees what is left of it here.
+SceneLight light_by_tables(const ReportedScene& scene) {
+  const SkyTables& tables = scene.air.tables();
+  const Length height = height_in_air(scene.sky.observer);
+  const std::vector<SkyLight> lights = lights_of(scene.sky, SunInEclipse::outside_the_shadow);
+  SceneLight light = table_light(tables, height, lights);
+  const bool sunlit = std::any_of(lights.begin(), lights.end(), [](const SkyLight& l) { return l.name == "sun"; });
+  if (sunlit && moon_shadow(scene.sky, {})) {
+    const std::shared_ptr<const EclipsedAir>& air = scene.air.eclipsed();
+    const EclipsedSky sky(air, moon_shadow(scene.sky, air->wavelengths_nm()).value(), height, 1);
+    light.sun.direct_lux = table_light(tables, height, lights_of(scene.sky)).sun.direct_lux;
+    light.sun.diffuse_lux *= static_cast<double>(sky.level_ratio().y);
+    light.sun.zenith_luminance_cd_m2 *= static_cast<double>(sky.ratios({0.0, 0.0, 1.0}).all.y);
+  }
+  return light;
 }
 
 bool by_tables(const ReportedScene& scene) { return scene.air.model() != SkyModel::reference; }
@@ -121,9 +142,8 @@ constexpr std::array columns{
 
 const SceneLight& light_of(const ReportedScene& scene) {
   if (!scene.light) {
-    scene.light = by_tables(scene)
-                      ? table_light(scene.air.tables(), height_in_air(scene.sky.observer), lights_of(scene.sky))
-                      : SceneLight{reference_light(scene, "sun"), reference_light(scene, "moon")};
+    scene.light = by_tables(scene) ? light_by_tables(scene)
+                                   : SceneLight{reference_light(scene, "sun"), reference_light(scene, "moon")};
   }
   return *scene.light;
 }

@@ -1,5 +1,6 @@
 // vesper-report: what the sky is at a place and time.
 #include "report/batch.hpp"
+#include "report/body_columns.hpp"
 #include "report/crew.hpp"
 #include "report/eclipse_report.hpp"
 #include "report/event_report.hpp"
@@ -89,10 +90,10 @@ void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   // What a scene is said to be without columns asked for: all that is found without long work.
   std::vector<SceneColumn> columns = select_columns(options.columns);
   if (options.columns.empty()) {
+    columns.insert(columns.end(), body_columns().begin(), body_columns().end());
     columns.insert(columns.end(), light_columns().begin(), light_columns().end());
   }
-  SkyState sky = sky_state(scene.instant, scene.observer, scene.tier);
-  sky.refraction = refraction_of(scene);
+  const SkyState sky = sky_state_of(scene);
   const SceneAir air(scene, path_budget(options.budget, scene));
   const ReportedScene reported{sky, air, {}, {}};
   deliver(options.json ? scene_json(reported, columns)
@@ -226,11 +227,20 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                                  ->type_name("FILE");
   app.add_option(
          "--columns", options.columns,
+<<<<<<< HEAD
          "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
          "medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, sun_direct_illuminance_lux, "
          "sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, airglow_zenith_luminance_cd_m2, "
          "airglow_illuminance_lux and those of zodiacal, starlight and sky_glow; default (the usual ones), planets "
          "and light stand for groups; default default, of a scene as JSON light too")
+=======
+         "Comma-separated quantities to report, also venus_magnitude and its like, sun_magnitude, sun_illuminance_lux "
+         "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
+         "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, "
+         "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's; default "
+         "(the usual ones), planets, discs and light stand for groups; default default, of a scene as JSON discs and "
+         "light too")
+>>>>>>> main
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 

@@ -1,5 +1,6 @@
 #include "report/scene_columns.hpp"
 
+#include "report/body_columns.hpp"
 #include "report/light_columns.hpp"
 #include "report/planet_columns.hpp"
 
@@ -46,10 +47,15 @@ std::string allowed_names() {
   for (const SceneColumn& column : columns) {
     names.append(column.name).append(", ");
   }
-  names += "default for all of these, planets for those of all planets (venus_magnitude, ...), light for these";
-  for (const SceneColumn& column : light_columns()) {
-    names.append(", ").append(column.name);
+  names += "default for all of these, planets for those of all planets (venus_magnitude, ...), discs for";
+  for (const SceneColumn& column : body_columns()) {
+    names.append(" ").append(column.name).append(",");
   }
+  names += " light for";
+  for (const SceneColumn& column : light_columns()) {
+    names.append(" ").append(column.name).append(",");
+  }
+  names.pop_back();
   return names;
 }
 
@@ -61,11 +67,14 @@ std::span<const SceneColumn> columns_named(std::string_view name) {
   if (name == "planets") {
     return planet_columns();
   }
+  if (name == "discs") {
+    return body_columns();
+  }
   if (name == "light") {
     return light_columns();
   }
   for (const std::span<const SceneColumn> group :
-       {std::span<const SceneColumn>(columns), planet_columns(), light_columns()}) {
+       {std::span<const SceneColumn>(columns), planet_columns(), body_columns(), light_columns()}) {
     const auto found =
         std::find_if(group.begin(), group.end(), [&](const SceneColumn& column) { return column.name == name; });
     if (found != group.end()) {

@@ -31,9 +31,9 @@ struct SceneColumn {
 /// The columns that are written unless others are asked for, in their order.
 [[nodiscard]] std::span<const SceneColumn> scene_columns();
 
-/// The columns of a comma-separated list, in its order: names, those of planets (planet_columns.hpp) and of light
-/// (light_columns.hpp) too, and the groups "default", "planets" and "light". An empty list is "default". Throws
-/// Error(argument) naming an unknown or repeated one.
+/// The columns of a comma-separated list, in its order: names, those of planets (planet_columns.hpp), of the discs of
+/// Sun and Moon (body_columns.hpp) and of light (light_columns.hpp) too, and the groups "default", "planets", "discs"
+/// and "light". An empty list is "default". Throws Error(argument) naming an unknown or repeated one.
 [[nodiscard]] std::vector<SceneColumn> select_columns(std::string_view list);
 
 } // namespace vesper

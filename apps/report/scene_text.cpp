@@ -1,10 +1,16 @@
 #include "report/scene_text.hpp"
 
+#include "report/body_columns.hpp"
 #include "report/sky_figures.hpp"
 #include "report/star_report.hpp"
 
 #include "vesper/astro/constants.hpp"
+<<<<<<< HEAD
 #include "vesper/light/night_light.hpp"
+=======
+#include "vesper/light/photometry.hpp"
+#include "vesper/sky/moon_illumination.hpp"
+>>>>>>> main
 
 #include <fmt/format.h>
 
@@ -129,8 +135,10 @@ std::string eclipse_text(const SkyState& sky) {
   }
   if (lunar.penumbral_magnitude > 0.0) {
     const bool umbral = lunar.umbral_magnitude > 0.0;
-    return fmt::format("Eclipse of the Moon: {} magnitude {:.3f}{}\n", umbral ? "umbral" : "penumbral",
-                       umbral ? lunar.umbral_magnitude : lunar.penumbral_magnitude, down(sky.moon.place));
+    const double danjon = seen_danjon_of(sky);
+    return fmt::format("Eclipse of the Moon: {} magnitude {:.3f}{}{}\n", umbral ? "umbral" : "penumbral",
+                       umbral ? lunar.umbral_magnitude : lunar.penumbral_magnitude,
+                       std::isnan(danjon) ? "" : fmt::format(", Danjon's L = {:.1f}", danjon), down(sky.moon.place));
   }
   return "";
 }
@@ -220,8 +228,9 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
   fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
   fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction, horizon));
-  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit\n", where(moon, refraction, horizon),
-                 moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction);
+  fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit, {:.2f} mag\n", where(moon, refraction, horizon),
+                 moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction,
+                 v_magnitude(moonlight_of(sky)));
   text += eclipse_text(sky);
   fmt::format_to(out, "        {}\n", face_text(sky.moon));
   const std::string of_sun_and_moon = light_text(light);

@@ -22,7 +22,7 @@ double allowed_error(const TransportResult& light, const std::vector<double>& su
 }
 
 using LightTransport =
-    std::function<TransportResult(const SkyLight&, const std::vector<SpectralFunctional>&, const PathBudget&)>;
+    std::function<TransportResult(const WeightedLight&, const std::vector<SpectralFunctional>&, const PathBudget&)>;
 
 SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t quantities, const LightBudget& budget,
                           const LightTransport& transport) {
@@ -32,7 +32,7 @@ SkyEstimate sum_of_lights(const std::vector<WeightedLight>& lights, std::size_t 
     own.stream = weighted.stream;
     own.relative_error = relative_error;
     own.most_paths = most_paths;
-    return transport(weighted.light, weighted.functionals, own);
+    return transport(weighted, weighted.functionals, own);
   };
   std::vector<double> relative_errors(lights.size(), all.relative_error);
   if (lights.size() > 1 || budget.faint > 0.0) {
@@ -68,25 +68,29 @@ SkyEstimate sky_radiance(const ReferenceTransport& transport, Length height, con
                          const std::vector<WeightedLight>& lights, std::size_t quantities, const LightBudget& budget) {
   return sum_of_lights(
       lights, quantities, budget,
-      [&](const SkyLight& light, const std::vector<SpectralFunctional>& functionals, const PathBudget& own) {
-        return transport.radiance({height, light.direction, light.angular_radius, view_direction}, functionals, own);
+      [&](const WeightedLight& weighted, const std::vector<SpectralFunctional>& functionals, const PathBudget& own) {
+        const SkyLight& light = weighted.light;
+        return transport.radiance({height, light.direction, light.angular_radius, view_direction, weighted.share},
+                                  functionals, own);
       });
 }
 
 LevelLight level_light(const ReferenceTransport& transport, Length height, const std::vector<WeightedLight>& lights,
                        const LightBudget& budget) {
-  const auto query_of = [&](const SkyLight& light) {
-    return SkyQuery{height, light.direction, light.angular_radius, {0.0, 0.0, 1.0}};
+  const auto query_of = [&](const WeightedLight& weighted) {
+    const SkyLight& light = weighted.light;
+    return SkyQuery{height, light.direction, light.angular_radius, {0.0, 0.0, 1.0}, weighted.share};
   };
   LevelLight level;
   for (const WeightedLight& weighted : lights) {
-    const std::vector<double> spectrum = transport.direct_irradiance(query_of(weighted.light));
+    const std::vector<double> spectrum = transport.direct_irradiance(query_of(weighted));
     level.direct = std::inner_product(spectrum.begin(), spectrum.end(), weighted.functionals[0].begin(), level.direct);
   }
-  const SkyEstimate diffuse = sum_of_lights(
-      lights, 1, budget, [&](const SkyLight& light, const std::vector<SpectralFunctional>& all, const PathBudget& own) {
-        return transport.diffuse_irradiance(query_of(light), {all[0]}, own);
-      });
+  const SkyEstimate diffuse =
+      sum_of_lights(lights, 1, budget,
+                    [&](const WeightedLight& light, const std::vector<SpectralFunctional>& all, const PathBudget& own) {
+                      return transport.diffuse_irradiance(query_of(light), {all[0]}, own);
+                    });
   level.total = {level.direct + diffuse.quantities[0].mean, diffuse.quantities[0].standard_error};
   level.paths = diffuse.paths;
   return level;

@@ -13,6 +13,7 @@ struct WeightedLight {
   SkyLight light;
   std::vector<SpectralFunctional> functionals;
   std::uint64_t stream = 0; ///< of random numbers, its own
+  LightShare share{};       ///< of a light in another body's shadow
 };
 
 /// What several lights give together.

@@ -65,7 +65,7 @@ std::vector<SkyLight> chosen_lights(const SkyOptions& options, const SceneOption
   if (by_hand) {
     lights = lights_set_by_hand(options, directions && table_has_sun(*directions));
   } else {
-    lights = lights_of(sky_state(scene.instant, scene.observer, scene.tier));
+    lights = lights_of(sky_state_of(scene));
   }
   if (!options.sun_radius.empty()) {
     const Angle radius = number_of("--sun-radius", options.sun_radius, 0.0, 1.0, " degrees") * deg;

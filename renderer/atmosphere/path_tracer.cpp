@@ -138,6 +138,9 @@ void PathTracer::add_light(const Vertex& vertex, RandomStream& random, std::span
       air_.columns_to_space(ray, [&](const auto& so_far) { return optics_.opaque(so_far); });
   scatter(vertex, light, scattered_);
   optics_.attenuate(columns, scattered_);
+  if (query_.light_share) {
+    query_.light_share(vertex.place_km - observer_km_, scattered_);
+  }
   double likelihood = 0.0;
   for (const double value : likelihood_) {
     likelihood += value;

@@ -215,6 +215,9 @@ std::vector<double> ReferenceTransport::direct_irradiance(const SkyQuery& query)
                  optical_depth(parts_->medium, columns, parts_->optics.wavelengths_nm()[j]).transmittance();
     }
   }
+  if (query.light_share) {
+    query.light_share({0.0, 0.0, 0.0}, sums);
+  }
   return sums;
 }
 

@@ -23,6 +23,18 @@ f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels) {
   return {texels.data(), static_cast<int>(texels.size())};
 }
 
+float log2_phase_without_peak(const SkyTables& tables, float cos_angle) {
+  const auto log2_phase = [&](float cosine) {
+    return std::log2(f32::sky_aerosol_phase(line_sampler(tables.phase), cosine, static_cast<int>(tables.phase.size())));
+  };
+  if (cos_angle < f32::sky_peak_cos) {
+    return log2_phase(cos_angle);
+  }
+  constexpr float step = 0.01F;
+  const float slope = (log2_phase(f32::sky_peak_cos + step) - log2_phase(f32::sky_peak_cos - step)) / (2.0F * step);
+  return log2_phase(f32::sky_peak_cos) + slope * (cos_angle - f32::sky_peak_cos);
+}
+
 Xyzs to_xyzs(const f32::vec4& light) {
   return {static_cast<double>(light.x), static_cast<double>(light.y), static_cast<double>(light.z),
           static_cast<double>(light.w)};

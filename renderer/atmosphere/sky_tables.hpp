@@ -45,6 +45,10 @@ struct SkyTables {
 [[nodiscard]] f32::sampler2D transmittance_sampler(const SkyTables& tables);
 [[nodiscard]] f32::sampler1D line_sampler(const std::vector<f32::vec4>& texels);
 
+/// Logarithm to base 2 of the aerosol's phase function without its peak: from sky_peak_cos (sky_map.glsl) on the
+/// logarithm goes on in a straight line over the cosine.
+[[nodiscard]] float log2_phase_without_peak(const SkyTables& tables, float cos_angle);
+
 /// What the functions of sky_table.glsl give, as it is handed out.
 [[nodiscard]] Xyzs to_xyzs(const f32::vec4& light);
 

@@ -207,6 +207,9 @@ void append_csv_field(std::string& row, std::string_view field) {
 }
 
 void append_number(std::string& row, double number) {
+  if (std::isnan(number)) {
+    return;
+  }
   std::array<char, 32> digits{};
   const auto result = std::to_chars(digits.data(), digits.data() + digits.size(), number);
   row.append(digits.data(), result.ptr);

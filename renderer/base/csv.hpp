@@ -57,7 +57,7 @@ private:
 /// Appends a field, quoted when it must be.
 void append_csv_field(std::string& row, std::string_view field);
 
-/// Appends the shortest text that reads back as the same number.
+/// Appends the shortest text that reads back as the same number; nothing for what is not a number.
 void append_number(std::string& row, double number);
 
 } // namespace vesper

@@ -111,7 +111,7 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 
 SkyMap::SkyMap(const ShaderLibrary& library)
     : slice_programs_(library, {"sky_slice.comp"}), ground_program_(build_program(library, {"sky_ground.comp"})),
-      map_programs_(library, {"sky_map.comp"}),
+      map_programs_(library, {"sky_map.comp"}), eclipse_map_(library),
       map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above),
                         PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
@@ -203,22 +203,30 @@ void SkyMap::fill_phase(const std::shared_ptr<const SkyTables>& tables, float sh
     return std::log2(
         f32::sky_aerosol_phase(line_sampler(tables->phase), cos_angle, static_cast<int>(tables->phase.size())));
   };
-  // Without its peak the logarithm goes on in a straight line over the cosine.
-  constexpr float step = 0.01F;
-  const float slope = (log2_phase(f32::sky_peak_cos + step) - log2_phase(f32::sky_peak_cos - step)) / (2.0F * step);
-  const auto without_peak = [&](float cos_angle) {
-    return cos_angle < f32::sky_peak_cos ? log2_phase(cos_angle)
-                                         : log2_phase(f32::sky_peak_cos) + slope * (cos_angle - f32::sky_peak_cos);
-  };
   for (std::size_t i = 0; i < phase_texels; ++i) {
     const float half_sine2 = std::pow(static_cast<float>(i) / (phase_texels - 1), 4.0F);
     const float near_cos = 1.0F - half_sine2 * (1.0F - f32::sky_peak_cos);
-    const float peak = std::exp2(log2_phase(near_cos)) - std::exp2(without_peak(near_cos));
+    const float peak = std::exp2(log2_phase(near_cos)) - std::exp2(log2_phase_without_peak(*tables, near_cos));
     phase_[4 * i] = glm::mix(phase_[4 * i], peak, share);
-    phase_[4 * i + 1] = glm::mix(phase_[4 * i + 1], without_peak(1.0F - 2.0F * half_sine2), share);
+    phase_[4 * i + 1] = glm::mix(phase_[4 * i + 1], log2_phase_without_peak(*tables, 1.0F - 2.0F * half_sine2), share);
   }
   phase_texture_ = make_row_texture(phase_);
   interpolate(phase_texture_);
+}
+
+void SkyMap::eclipse(const SkyTables& tables, const FramePlan& plan, Length height) {
+  if (plan.eclipse.sky == nullptr) {
+    return;
+  }
+  const SkyBlock block = block_of(tables, plan, height, 1.0);
+  const float dip = f32::sky_dip(block.height_km, tables.frame);
+  const double end = is_outside(tables, height) ? -static_cast<double>(f32::sky_limb_dip(block.height_km, tables.frame))
+                                                : 0.5 * std::numbers::pi;
+  const auto angle = [](float sine) { return static_cast<double>(f32::sky_arc_sine(sine)); };
+  eclipse_map_.dim(map_, {columns + 1, rows_below, rows_above},
+                   {f32::sky_map_frame(block.sin_horizon, block.sin_highest), angle(block.sin_horizon),
+                    angle(block.sin_highest), -static_cast<double>(dip), end},
+                   plan);
 }
 
 void SkyMap::bind() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/base/units.hpp"
+#include "vesper/gpu/eclipse_map.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/sky_textures.hpp"
@@ -28,6 +29,9 @@ public:
   /// \param share 1 to overwrite what the map held; less to blend these tables with those of the call before
   void fill(const SkyTextures& tables, const FramePlan& plan, Length height, double share = 1.0);
 
+  /// Dims what fill() made by the plan's eclipse, if there is one. Once a frame, after the last call of fill().
+  void eclipse(const SkyTables& tables, const FramePlan& plan, Length height);
+
   /// Binds the map to texture unit 0, the phase function to unit 1 and the block of shaders/sky_block.glsl.
   void bind() const;
 
@@ -39,6 +43,7 @@ private:
   ProgramVariants slice_programs_;
   ProgramHandle ground_program_;
   ProgramVariants map_programs_;
+  EclipseMap eclipse_map_;
   Texture slices_; ///< side by side: of both tables for the first light, then for the second
   int slice_rows_ = 0;
   Texture map_;

@@ -50,6 +50,7 @@ void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& pl
   if (share > 0.0) {
     map_.fill(*next_, plan, height, share);
   }
+  map_.eclipse(*now_->tables(), plan, height);
   const std::string projection = fmt::format("PROJECTION {}", static_cast<int>(view.projection));
   program_ = &programs_.get({projection});
   peak_program_ = &peak_programs_.get({projection, "PEAK"});

@@ -2,6 +2,7 @@
 
 #include "vesper/base/error.hpp"
 #include "vesper/light/response_functions.hpp"
+#include "vesper/light/star_color.hpp"
 
 #include <cmath>
 
@@ -22,6 +23,11 @@ Illuminance illuminance_of_v(double v_magnitude, double lux_ratio) {
 
 double v_of_illuminance(Illuminance illuminance, double lux_ratio) {
   return -2.5 * std::log10(illuminance / (lux_ratio * v0_a0_illuminance));
+}
+
+double v_magnitude(const Spectrum& irradiance) {
+  static const double a0 = lux_per_v_flux(planck_spectrum(star_temperature_k(0.0)));
+  return v_of_illuminance(a0 * integrate_v_band(irradiance) * lux, 1.0);
 }
 
 } // namespace vesper

@@ -20,4 +20,7 @@ inline constexpr Illuminance v0_a0_illuminance = f64::zero_magnitude_lux * lux;
 [[nodiscard]] Illuminance illuminance_of_v(double v_magnitude, double lux_ratio);
 [[nodiscard]] double v_of_illuminance(Illuminance illuminance, double lux_ratio);
 
+/// The V magnitude of a spectral irradiance in W/(m2 nm), through the V band; +infinity without light.
+[[nodiscard]] double v_magnitude(const Spectrum& irradiance);
+
 } // namespace vesper

@@ -43,6 +43,22 @@ Spectrum filtered(const Spectrum& light, const Spectrum& filter) {
   return {light.wavelengths_nm(), std::move(values)};
 }
 
+Spectrum scaled(const Spectrum& spectrum, double factor) {
+  std::vector<double> values = spectrum.values();
+  for (double& value : values) {
+    value *= factor;
+  }
+  return {spectrum.wavelengths_nm(), std::move(values)};
+}
+
+Spectrum added(const Spectrum& first, const Spectrum& second) {
+  std::vector<double> values = first.values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] += second(first.wavelengths_nm()[i]);
+  }
+  return {first.wavelengths_nm(), std::move(values)};
+}
+
 double planck_w_m2_sr_nm(double wavelength_nm, double temperature_k) {
   constexpr double h = 6.62607015e-34;
   constexpr double c = 299792458.0;

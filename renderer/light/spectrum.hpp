@@ -25,6 +25,12 @@ private:
 /// Light through a filter, or from a surface with an albedo: their product at the light's wavelengths.
 [[nodiscard]] Spectrum filtered(const Spectrum& light, const Spectrum& filter);
 
+/// A spectrum times a number.
+[[nodiscard]] Spectrum scaled(const Spectrum& spectrum, double factor);
+
+/// The sum of two spectra at the first one's wavelengths.
+[[nodiscard]] Spectrum added(const Spectrum& first, const Spectrum& second);
+
 /// Planck's law: spectral radiance of a black body, W/(m2 sr nm), for a wavelength in nm and a temperature in K, both
 /// positive (constants CODATA 2018, exact).
 [[nodiscard]] double planck_w_m2_sr_nm(double wavelength_nm, double temperature_k);

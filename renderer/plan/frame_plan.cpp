@@ -5,6 +5,7 @@
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/response_matrix.hpp"
 #include "vesper/light/sunlight.hpp"
+#include "vesper/sky/moon_shadow.hpp"
 #include "vesper/sky/sky_light.hpp"
 
 #include <algorithm>
@@ -45,9 +46,28 @@ std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, con
       PlannedExtinction{std::move(medium), height, bending, std::move(table)});
 }
 
-std::vector<PlannedLight> planned_lights(const SkyState& sky, const Refraction& refraction) {
+PlannedEclipse eclipse_for(const SkyState& sky, const std::vector<SkyLight>& lights,
+                           std::shared_ptr<const Medium> medium, const FramePlan* before) {
+  PlannedEclipse eclipse;
+  if (before != nullptr && before->eclipse.medium == medium) {
+    eclipse.air = before->eclipse.air;
+  }
+  eclipse.medium = std::move(medium);
+  const bool sunlit =
+      std::any_of(lights.begin(), lights.end(), [](const SkyLight& light) { return light.name == "sun"; });
+  if (sunlit && moon_shadow(sky, {})) {
+    if (eclipse.air == nullptr) {
+      eclipse.air = std::make_shared<const EclipsedAir>(*eclipse.medium);
+    }
+    eclipse.sky = std::make_shared<const EclipsedSky>(
+        eclipse.air, moon_shadow(sky, eclipse.air->wavelengths_nm()).value(), height_in_air(sky.observer));
+  }
+  return eclipse;
+}
+
+std::vector<PlannedLight> planned_lights(const std::vector<SkyLight>& lights, const Refraction& refraction) {
   std::vector<PlannedLight> planned;
-  for (const SkyLight& light : lights_of(sky)) {
+  for (const SkyLight& light : lights) {
     planned.push_back({light.direction, apparent_direction(light.direction, refraction), light.angular_radius,
                        integrate_xyzs(light.irradiance).y * response_matrix(solar_irradiance_1au(), light.irradiance)});
   }
@@ -72,7 +92,10 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   plan.star_copies = copies_of(view.projection);
   static const auto clear = std::make_shared<const Medium>(clear_medium());
   const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
+<<<<<<< HEAD
   const bool beyond_air = has(options.layers, Layer::zodiacal) || has(options.layers, Layer::milky_way);
+=======
+>>>>>>> main
   if (options.air.extinction) {
     if (plan.cheap_stars) {
       plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);
@@ -85,7 +108,9 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
     plan.refraction = with_table(sky.refraction);
   }
   if (has(options.layers, Layer::sky) && options.air.sky_tables != nullptr) {
-    plan.lights = planned_lights(sky, plan.refraction);
+    const std::vector<SkyLight> lights = lights_of(sky, SunInEclipse::outside_the_shadow);
+    plan.lights = planned_lights(lights, plan.refraction);
+    plan.eclipse = eclipse_for(sky, lights, medium, before);
   }
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
   plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,

@@ -6,11 +6,14 @@
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/seen_rings.hpp"
 #include "vesper/light/solar_disc.hpp"
+#include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace vesper {
@@ -18,27 +21,55 @@ namespace {
 
 using std::numbers::pi;
 
-/// At which the share of light that is left of the Moon's is found.
-constexpr std::array shadow_nm{440.0, 550.0, 680.0};
-
-double between(const std::array<double, 3>& values, double nm) {
-  const std::size_t i = nm < shadow_nm[1] ? 0 : 1;
-  return values[i] + (values[i + 1] - values[i]) * (nm - shadow_nm[i]) / (shadow_nm[i + 1] - shadow_nm[i]);
-}
-
-/// Over the whole range of the eye, from the shares at those wavelengths.
-Spectrum spectrum_of(const std::array<double, 3>& shares) {
-  std::vector<double> wavelengths;
-  std::vector<double> values;
-  for (int nm = response_first_nm - 1; nm <= response_last_nm + 1; ++nm) {
-    wavelengths.push_back(nm);
-    values.push_back(std::clamp(between(shares, nm), 0.0, 1.0));
+/// Of a face equally bright all over, as the Earth's centre sees it.
+std::vector<MoonPlace> even_face(const Vec3& moon_km) {
+  const Vec3 toward = glm::normalize(-moon_km);
+  const Vec3 aside = glm::normalize(glm::cross(toward, std::abs(toward.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
+  const Vec3 upward = glm::cross(toward, aside);
+  constexpr int azimuths = 32;
+  // Gauss's rule over the square of the radius.
+  static const std::vector<QuadratureNode> rings = gauss_legendre(16);
+  std::vector<MoonPlace> face;
+  face.reserve(rings.size() * azimuths);
+  for (const QuadratureNode& ring : rings) {
+    for (int k = 0; k < azimuths; ++k) {
+      const double azimuth = 2.0 * pi * (k + 0.5) / azimuths;
+      const Vec3 normal = std::sqrt(ring.place) * (std::cos(azimuth) * aside + std::sin(azimuth) * upward) +
+                          std::sqrt(1.0 - ring.place) * toward;
+      face.push_back({normal, ring.weight / azimuths});
+    }
   }
-  return {std::move(wavelengths), std::move(values)};
+  return face;
 }
 
-constexpr double umbral_share = 2.0e-5;
-constexpr double umbral_reddening = 4.0;
+/// Calls `visit(place behind the Earth, share)` for places of the Moon.
+template <class Visit>
+void for_places(std::span<const MoonPlace> face, const LunarEclipseState& eclipse, const f64::EarthShadow& shadow,
+                Visit&& visit) {
+  for (const MoonPlace& place : face) {
+    const Vec3 point_km = eclipse.moon_km + moon_mean_radius.to(kilometre) * place.normal;
+    visit(f64::earth_shadow_place(point_km, shadow), place.share);
+  }
+}
+
+/// The wavelengths of the published colour map, in order.
+constexpr std::array published_nm{450.0, 507.0, 555.0, 600.0};
+
+Spectrum published_sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face) {
+  const f64::EarthShadow shadow = earth_shadow(eclipse);
+  Vec4 shares{};
+  for_places(face, eclipse, shadow, [&](const Vec2& place, double share) {
+    shares += share * f64::lunar_eclipse_colors(f64::lunar_eclipse_phase(place, shadow));
+  });
+  return {{response_first_nm - 1.0, published_nm[0], published_nm[1], published_nm[2], published_nm[3],
+           response_last_nm + 1.0},
+          {shares.z, shares.z, shares.w, shares.y, shares.x, shares.x}};
+}
+
+EclipseSpectra spectra_of(const LunarEclipseState& eclipse, const EclipseAir& air) {
+  return eclipse_spectra(air.light ? *air.light : default_earth_shadow_light(),
+                         glm::dot(eclipse.moon_km, eclipse.axis) * kilometre, eclipse.sun_distance, air.danjon);
+}
 
 /// Light of a disc of brightness mu^power within a share r of its radius, over all of it.
 double within(double r, double power) {
@@ -96,33 +127,41 @@ Spectrum sunlight_past_moon(const SolarEclipseState& eclipse, LimbDarkening law)
   return {std::move(wavelengths), std::move(values)};
 }
 
-Spectrum sunlight_on_moon(const LunarEclipseState& eclipse) {
-  if (eclipse.penumbral_magnitude <= 0.0) {
-    return spectrum_of({1.0, 1.0, 1.0});
-  }
-  const f64::EarthShadow shadow = earth_shadow(eclipse);
-  // The disc that faces the Earth: rings of equal azimuths, by Gauss's rule over the square of the radius.
-  const Vec3 toward = glm::normalize(eclipse.moon_km);
-  const Vec3 aside = glm::normalize(glm::cross(toward, std::abs(toward.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
-  const Vec3 upward = glm::cross(aside, toward);
-  const double moon_km = moon_mean_radius.to(kilometre);
-  constexpr int azimuths = 32;
-  static const std::vector<QuadratureNode> rings = gauss_legendre(16);
-  std::array<double, 3> shares{};
-  for (const QuadratureNode& ring : rings) {
-    for (int k = 0; k < azimuths; ++k) {
-      const double azimuth = 2.0 * pi * (k + 0.5) / azimuths;
-      const Vec3 point =
-          eclipse.moon_km + moon_km * std::sqrt(ring.place) * (std::cos(azimuth) * aside + std::sin(azimuth) * upward);
-      const f64::vec3 discs = f64::earth_shadow_discs(point, shadow);
-      for (std::size_t i = 0; i < shares.size(); ++i) {
-        const double umbral = umbral_share * std::pow(shadow_nm[i] / shadow_nm[1], umbral_reddening);
-        const double seen = sunlight_seen(discs.x, discs.y, discs.z, limb_darkening_power(shadow_nm[i]));
-        shares[i] += ring.weight / azimuths * (umbral + (1.0 - umbral) * seen);
-      }
-    }
-  }
-  return spectrum_of(shares);
+Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, const EclipseAir& air, Tier tier) {
+  return sunlight_on_moon(eclipse, even_face(eclipse.moon_km), air, tier);
 }
+
+Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face, const EclipseAir& air,
+                          Tier tier) {
+  if (eclipse.penumbral_magnitude <= 0.0) {
+    return {{response_first_nm - 1.0, response_last_nm + 1.0}, {1.0, 1.0}};
+  }
+  if (tier == Tier::cheap) {
+    return published_sunlight_on_moon(eclipse, face);
+  }
+  const EclipseSpectra spectra = spectra_of(eclipse, air);
+  const f64::EarthShadow shadow = earth_shadow(eclipse);
+  std::vector<double> shares(spectra.wavelengths_nm.size(), 0.0);
+  for_places(face, eclipse, shadow,
+             [&](const Vec2& place, double share) { spectra.add(place, shadow, share, shares); });
+  return spectra.spectrum(shares);
+}
+
+LunarEclipseTable lunar_eclipse_table(const LunarEclipseState& eclipse, const Spectrum& moonlight,
+                                      const EclipseAir& air, Tier tier) {
+  if (eclipse.penumbral_magnitude > 0.0 && tier != Tier::cheap) {
+    return lunar_eclipse_table(spectra_of(eclipse, air), moonlight);
+  }
+  LunarEclipseTable table;
+  table.frame.kind = eclipse.penumbral_magnitude > 0.0 ? f64::lunar_eclipse_published : f64::lunar_eclipse_none;
+  return table;
+}
+
+double dimming_v_mag(const Spectrum& share) {
+  return -2.5 * std::log10(integrate_v_band(filtered(solar_irradiance_1au(), share)) /
+                           integrate_v_band(solar_irradiance_1au()));
+}
+
+double seen_danjon(double dimming_mag) { return std::clamp(0.8 * (15.0 - dimming_mag), least_danjon, most_danjon); }
 
 } // namespace vesper

@@ -3,8 +3,13 @@
 
 #include "vesper/astro/lunar_eclipse.hpp"
 #include "vesper/astro/solar_eclipse.hpp"
+#include "vesper/astro/tier.hpp"
+#include "vesper/atmosphere/earth_shadow_light.hpp"
 #include "vesper/light/solar_disc.hpp"
 #include "vesper/light/spectrum.hpp"
+
+#include <memory>
+#include <span>
 
 namespace vesper {
 
@@ -19,9 +24,45 @@ namespace vesper {
 [[nodiscard]] Spectrum sunlight_past_moon(const SolarEclipseState& eclipse,
                                           LimbDarkening law = LimbDarkening::hestroffer_magnan);
 
-/// The Sun's light on the Moon's disc past the Earth, by wavelength: the mean over the disc. In the umbra 2e-5 of it is
-/// left at 550 nm, as measured of the Moon in mid-eclipse (5e4 times fainter than full on 28 September 2015; years with
-/// much volcanic dust are darker, others brighter by two magnitudes), reddened by the fourth power of the wavelength.
-[[nodiscard]] Spectrum sunlight_on_moon(const LunarEclipseState& eclipse);
+/// What an eclipse of the Moon looks like beside its geometry.
+struct EclipseAir {
+  /// Danjon's L of the Earth's air, 0 (after great volcanic eruptions) to 4 (clear): earth_shadow_load.hpp. By default
+  /// that of years without volcanic dust, which gives the magnitude measured on 3 March 2007.
+  double danjon = 2.5;
+  /// Of the air as a whole; nothing for that of clear_medium().
+  std::shared_ptr<const EarthShadowLight> light;
+};
+
+/// A place of the Moon's surface, and how much of its light without an eclipse comes from there.
+struct MoonPlace {
+  Vec3 normal; ///< ICRS axes
+  double share = 0.0;
+};
+
+/// The Sun's light on the Moon past the Earth, by wavelength: the mean of what lunar_eclipse_shares gives its places.
+/// With Tier::cheap that of the published colour map.
+/// \param face places whose shares sum to 1
+/// Throws Error(argument) for an L out of its range.
+[[nodiscard]] Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, std::span<const MoonPlace> face,
+                                        const EclipseAir& air = {}, Tier tier = Tier::standard);
+/// The same for a Moon that is equally bright all over the disc that faces the Earth.
+[[nodiscard]] Spectrum sunlight_on_moon(const LunarEclipseState& eclipse, const EclipseAir& air = {},
+                                        Tier tier = Tier::standard);
+
+/// The table for the points of the Moon. Outside an eclipse its frame is that of lunar_eclipse_none, with Tier::cheap
+/// that of lunar_eclipse_published; both have no texels.
+/// \param moonlight without an eclipse, in any unit: only its colour counts
+/// Throws Error(argument) for an L out of its range.
+[[nodiscard]] LunarEclipseTable lunar_eclipse_table(const LunarEclipseState& eclipse, const Spectrum& moonlight,
+                                                    const EclipseAir& air = {}, Tier tier = Tier::standard);
+
+/// Magnitudes in V by which sunlight is dimmed to a share, 0 where none is left out, infinite where all is.
+[[nodiscard]] double dimming_v_mag(const Spectrum& share);
+
+/// The L that an eclipse will be given by who sees it: not only the air makes it bright, but also how deep the Moon
+/// stands in the shadow. L is 0 where 1e-6 of the light is left at mid-eclipse and 4 where 1e-4 is, linear in the
+/// magnitude between, which meets estimates within 1 (28 September 2015: 2e-5 of the light, L = 1.9 of 28 observers).
+/// \param dimming_mag dimming_v_mag of the light on the disc at mid-totality
+[[nodiscard]] double seen_danjon(double dimming_mag);
 
 } // namespace vesper

@@ -6,10 +6,10 @@
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/eclipse_light.hpp"
+#include "vesper/sky/moon_illumination.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace vesper {
 namespace {
@@ -29,13 +29,8 @@ bool lights_the_air(const SkyLight& light, Length height) {
 } // namespace
 
 SkyLight sun_light(const Vec3& direction, Length distance) {
-  const Spectrum& at_1au = solar_irradiance_1au();
-  const double scale = std::pow(astronomical_unit / distance, 2);
-  std::vector<double> irradiance = at_1au.values();
-  for (double& value : irradiance) {
-    value *= scale;
-  }
-  return {"sun", direction, angular_radius(sun_radius, distance), {at_1au.wavelengths_nm(), std::move(irradiance)}};
+  return {"sun", direction, angular_radius(sun_radius, distance),
+          scaled(solar_irradiance_1au(), std::pow(astronomical_unit / distance, 2))};
 }
 
 SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle) {
@@ -43,18 +38,18 @@ SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Ang
           moon_irradiance(phase_angle, distance, from_sun)};
 }
 
-std::vector<SkyLight> lights_of(const SkyState& sky) {
+Spectrum sunlight_of(const SkyState& sky) {
+  const Spectrum whole = sun_light(sky.sun.direction_horizon, sky.sun.distance).irradiance;
+  return sky.solar_eclipse.magnitude > 0.0 ? filtered(whole, sunlight_past_moon(sky.solar_eclipse)) : whole;
+}
+
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
   const BodyPlace& moon = sky.moon.place;
-  const Vec3 sun_km = sky.sun.distance.to(kilometre) * sky.sun.direction_equatorial;
-  const Vec3 moon_km = moon.distance.to(kilometre) * moon.direction_equatorial;
-  std::vector<SkyLight> lights{sun_light(sky.sun.direction_horizon, sky.sun.distance),
-                               moon_light(moon.direction_horizon, moon.distance,
-                                          glm::length(sun_km - moon_km) * kilometre, sky.moon.phase_angle)};
-  if (sky.solar_eclipse.magnitude > 0.0) {
-    lights[0].irradiance = filtered(lights[0].irradiance, sunlight_past_moon(sky.solar_eclipse));
-  }
-  if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
-    lights[1].irradiance = filtered(lights[1].irradiance, sunlight_on_moon(sky.lunar_eclipse));
+  std::vector<SkyLight> lights{
+      sun_light(sky.sun.direction_horizon, sky.sun.distance),
+      {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight_of(sky)}};
+  if (sun == SunInEclipse::as_observed) {
+    lights[0].irradiance = sunlight_of(sky);
   }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });

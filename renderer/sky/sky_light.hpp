@@ -19,14 +19,20 @@ struct SkyLight {
 };
 
 [[nodiscard]] SkyLight sun_light(const Vec3& direction, Length distance);
-/// \param phase_angle 0 to 180 degrees
+/// Lit by the Sun alone. \param phase_angle 0 to 180 degrees
 [[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
+
+/// Spectral irradiance of the Sun at the observer above the air, W/(m2 nm): in an eclipse what the Moon leaves of it.
+/// moonlight_of() in moon_illumination.hpp is the same of the Moon.
+[[nodiscard]] Spectrum sunlight_of(const SkyState& sky);
 
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
 /// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
 /// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.
-/// Eclipses dim them (eclipse_light.hpp).
-[[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky);
+/// Eclipses dim them (eclipse_light.hpp): the Sun as it is seen by the observer, or as it shines on air far away from
+/// the Moon's shadow, for a sky that is dimmed place by place (EclipsedSky).
+enum class SunInEclipse { as_observed, outside_the_shadow };
+[[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun = SunInEclipse::as_observed);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.
 [[nodiscard]] Length height_in_air(const Observer& observer);

@@ -8,6 +8,7 @@
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/sky/apparent_place.hpp"
+#include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_state.hpp"
 #include "vesper/sky/planet_state.hpp"
 
@@ -22,6 +23,7 @@ struct SkyState {
   BodyPlace sun;
   MoonState moon;
   LunarEclipseState lunar_eclipse; ///< Danjon's shadow, whether the Moon is near it or not
+  EclipseAir eclipse_air;          ///< of eclipses of the Moon
   SolarEclipseState solar_eclipse; ///< for the observer, whether Sun and Moon are up or not
   PlanetStates planets;
   double seconds = 0.0; ///< TT seconds since J2000.0, the clock of scintillation

@@ -1,6 +1,7 @@
 // Every file of shaders/lib in dependency order, for the C++ side (vesper/base/shader_math.hpp).
 #include "vesper/shaders/lib/hash.glsl"
 #include "vesper/shaders/lib/star_place.glsl"
+#include "vesper/shaders/lib/cube_map.glsl"
 #include "vesper/shaders/lib/projection.glsl"
 #include "vesper/shaders/lib/star_psf.glsl"
 #include "vesper/shaders/lib/refraction.glsl"
@@ -12,7 +13,10 @@
 #include "vesper/shaders/lib/sky_map.glsl"
 #include "vesper/shaders/lib/scintillation.glsl"
 #include "vesper/shaders/lib/eclipse.glsl"
+#include "vesper/shaders/lib/moon_shadow.glsl"
 #include "vesper/shaders/lib/sun.glsl"
+#include "vesper/shaders/lib/moon_surface.glsl"
+#include "vesper/shaders/lib/lunar_eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
 #include "vesper/shaders/lib/dark_sky.glsl"

@@ -78,17 +78,20 @@ TEST(ZodiacalLight, IsThePublishedTable) {
 }
 
 TEST(ZodiacalLight, TheMapKeepsIt) {
-  test::ErrorSum errors;
+  test::ErrorSum near;
+  test::ErrorSum far;
   for (double longitude = 0.25; longitude < 180.0; longitude += 1.7) {
     for (double latitude = -89.9; latitude < 90.0; latitude += 1.3) {
       const Vec3 place = test::direction(longitude * deg, latitude * deg);
       const Vec4 wanted = zodiacal_luminance(place);
       for (int channel = 0; channel < 4; ++channel) {
-        errors.add(100.0 * (from_map(place)[channel] / wanted[channel] - 1.0));
+        const bool is_near = f64::sun_elongation(place) < (15.0 * deg).to(rad);
+        (is_near ? near : far).add(100.0 * (from_map(place)[channel] / wanted[channel] - 1.0));
       }
     }
   }
-  errors.hold("zodiacal light from the map", 1.0, "%");
+  near.hold("zodiacal light from the map within 15 degrees of the Sun", 1.5, "%");
+  far.hold("zodiacal light from the map elsewhere", 0.3, "%");
 }
 
 TEST(ZodiacalLight, ShinesAsAnchorsSay) {
@@ -275,7 +278,7 @@ TEST(CityGlow, IsWhatThinAirScattersOfTheCitysLight) {
   // Air so thin that it dims nothing: the integral of density, phase function and Garstang's upward light over the
   // square of the distance from the city, by a plain rule.
   Medium medium = published_medium();
-  medium.components.resize(1);
+  medium.components.erase(medium.components.begin() + 1, medium.components.end());
   medium.components[0].scattering_per_km = constant_law(1.0e-7);
   medium.components[0].absorption_per_km = constant_law(0.0);
   const CityGlowPattern pattern(medium, 0.0 * metre, 30.0 * kilometre);

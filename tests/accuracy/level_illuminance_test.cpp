@@ -144,7 +144,7 @@ TEST(LevelIlluminance, AgainstTheCircularsFit) {
   test::ErrorSum nautical;
   test::ErrorSum moon;
   const Spectrum& sunlight = solar_irradiance_1au();
-  const Spectrum moonlight = moon_irradiance(0.0 * deg, moon_mean_distance, astronomical_unit);
+  const Spectrum moonlight = test::full_moon_without_surge();
   const Mat4 moon_from_sun = integrate_xyzs(moonlight).y * response_matrix(sunlight, moonlight);
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const test::TruthRow row(table, i);

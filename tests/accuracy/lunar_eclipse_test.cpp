@@ -15,14 +15,6 @@ using test::ErrorSum;
 using test::seconds_between;
 using test::TruthRow;
 
-/// A contact's stamp with the row's own Delta-T.
-Instant stamp_of(const TruthRow& row, std::string_view column) {
-  const bool ut1 = row.text("scale") == "UT1";
-  Instant instant = parse_instant(row.text(column), ut1 ? TimeScale::ut1 : TimeScale::utc);
-  return ut1 ? instant_from({instant.ut1.day, instant.ut1.fraction + row.number("delta_t") / 86400.0}, instant.ut1)
-             : instant;
-}
-
 struct ContactColumn {
   const char* name;
   LunarContact contact;
@@ -66,7 +58,7 @@ TEST(LunarEclipse, MatchesTheReference) {
         EXPECT_EQ(found.has_value(), expected) << column.name;
       }
       if (found && expected && !grazes) {
-        contacts[column.name].add(seconds_between(*found, stamp_of(row, column.name)));
+        contacts[column.name].add(seconds_between(*found, row.instant_in(column.name)));
       }
     }
   }

@@ -158,8 +158,7 @@ TEST(ReferenceTransport, IlluminanceUnderClearSky) {
   const CsvTable table = test::atmosphere_table("illuminance_clear_sky.csv");
   const std::vector<double> wavelengths = clear_transport().wavelengths_nm();
   const SpectralFunctional sun = spectral_weights(solar_irradiance_1au(), wavelengths).y;
-  const SpectralFunctional full_moon =
-      spectral_weights(moon_irradiance(0.0 * deg, moon_mean_distance, astronomical_unit), wavelengths).y;
+  const SpectralFunctional full_moon = spectral_weights(test::full_moon_without_surge(), wavelengths).y;
   const SpectralFunctional quarter_moon =
       spectral_weights(moon_irradiance(89.85 * deg, moon_mean_distance, astronomical_unit), wavelengths).y;
   const auto logarithm = [](double ours, double theirs) { return std::abs(std::log10(ours / theirs)); };

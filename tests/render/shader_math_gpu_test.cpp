@@ -32,12 +32,16 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "prelude.glsl"
 #include "lib/hash.glsl"
 #include "lib/star_place.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
 #include "lib/refraction.glsl"
 #include "lib/extinction.glsl"
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
+#include "lib/moon_shadow.glsl"
+#include "lib/moon_surface.glsl"
+#include "lib/lunar_eclipse.glsl"
 #include "lib/display.glsl"
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"
@@ -132,6 +136,19 @@ std::string unproject_glsl(int kind) {
 
 std::vector<FunctionCase> function_cases() {
   std::vector<FunctionCase> cases{
+      {"moon shadow",
+       "vec4(moon_shadow_discs(v.xyz, MoonShadow(vec3(0.0, 0.6, 0.8), vec3(40.0, -8.0, 6.0), 3.6e5, 1738.1, 1.5e8, "
+       "6.96e5)), 0)",
+       [](const glm::vec4& v) {
+         return glm::vec4(
+             f32::moon_shadow_discs(glm::vec3(v),
+                                    {{0.0F, 0.6F, 0.8F}, {40.0F, -8.0F, 6.0F}, 3.6e5F, 1738.1F, 1.5e8F, 6.96e5F}),
+             0.0F);
+       },
+       {-900, -900, 0, 0},
+       {900, 900, 60, 0},
+       12,
+       1.0e-4F},
       {"hash",
        "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) {
@@ -243,6 +260,29 @@ std::vector<FunctionCase> function_cases() {
        {4, 5, 0, 0},
        61,
        2.0e-4F},
+      {"lunar laws",
+       "vec4(lunar_law(v.x).seeliger, lunar_law(v.x).lambert, cheap_lunar_law(v.x).seeliger, lunar_phase(v.x))",
+       [](const glm::vec4& v) {
+         const f32::LunarLaw law = f32::lunar_law(v.x);
+         return glm::vec4(law.seeliger, law.lambert, f32::cheap_lunar_law(v.x).seeliger, f32::lunar_phase(v.x));
+       },
+       {0, 0, 0, 0},
+       {180, 0, 0, 0},
+       721,
+       2.0e-4F},
+      {"lunar_relief_reflectance",
+       "vec4(lunar_relief_reflectance(normalize(vec3(1.0, v.x, v.y)), normalize(vec3(1.0, v.y, v.z)), vec3(1.0, 0.0, "
+       "0.0),"
+       " normalize(vec3(v.z, 1.0, v.x)), 0.00465, LunarLaw(0.3, 0.2)), 0, 0, 0)",
+       [](const glm::vec4& v) {
+         return scalar(f32::lunar_relief_reflectance(
+             glm::normalize(glm::vec3(1.0F, v.x, v.y)), glm::normalize(glm::vec3(1.0F, v.y, v.z)), {1.0F, 0.0F, 0.0F},
+             glm::normalize(glm::vec3(v.z, 1.0F, v.x)), 0.00465F, {0.3F, 0.2F}));
+       },
+       {-3, -3, -3, 0},
+       {3, 3, 3, 0},
+       17,
+       1.0e-4F},
       // 5e-5 of full sunlight: GLSL's atan and asin are good to some 2e-7 rad of the Sun's 0.0093.
       {"earth_shadow_sunlight",
        "vec4(earth_shadow_sunlight(v.xyz, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9)), 0, 0, 0)",
@@ -254,6 +294,28 @@ std::vector<FunctionCase> function_cases() {
        {9000, 2000, 4.1e5F, 0},
        25,
        5.0e-2F},
+      {"lunar_eclipse_colors",
+       "lunar_eclipse_colors(lunar_eclipse_phase(v.xy, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9)))",
+       [](const glm::vec4& v) {
+         const f32::EarthShadow shadow{{0.0F, 0.0F, 1.0F}, 1.496e8F, 695990.0F, 6441.9F};
+         return f32::lunar_eclipse_colors(f32::lunar_eclipse_phase(glm::vec2(v), shadow));
+       },
+       {0, 3.6e5F, 0, 0},
+       {9000, 4.1e5F, 0, 0},
+       25,
+       1.0e-3F},
+      {"lunar_eclipse_texel",
+       "vec4(lunar_eclipse_texel(v.xy, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9), "
+       "LunarEclipseFrame(2, 80, 64, 2, 3.8e5, 1.0e-4, 6436.0, 6491.0, 250.0)), 0, 0)",
+       [](const glm::vec4& v) {
+         const f32::EarthShadow shadow{{0.0F, 0.0F, 1.0F}, 1.496e8F, 695990.0F, 6441.9F};
+         const f32::LunarEclipseFrame frame{2, 80, 64, 2, 3.8e5F, 1.0e-4F, 6436.0F, 6491.0F, 250.0F};
+         return glm::vec4(f32::lunar_eclipse_texel(glm::vec2(v), shadow, frame), 0, 0);
+       },
+       {0, 3.6e5F, 0, 0},
+       {9000, 4.1e5F, 0, 0},
+       25,
+       1.0e-3F},
       {"disc_pupil",
        "vec4(disc_pupil(v.x, v.y, v.z), 0, 0, 0)",
        [](const glm::vec4& v) { return scalar(f32::disc_pupil(v.x, v.y, v.z)); },

@@ -72,13 +72,15 @@ protected:
     const double across = std::hypot(direction.x, direction.y);
     const double level = across > 0.0 ? std::cos(altitude) / across : 0.0;
     const Vec3 view_direction = glm::normalize(Vec3(level * direction.x, level * direction.y, std::sin(altitude)));
+    // Of an eclipse the tables know nothing.
+    const f32::vec4 left = plan.eclipse.sky ? plan.eclipse.sky->ratios(view_direction).all : f32::vec4(1.0F);
     Vec4 sum(0.0);
     for (const PlannedLight& light : plan.lights) {
       const Xyzs seen_light = sky_luminance(
           *options.air.sky_tables, {sky.observer.height, light.direction, light.angular_radius, view_direction});
       sum += light.xyzs_from_sunlight * Vec4(seen_light.x, seen_light.y, seen_light.z, seen_light.s);
     }
-    return sum;
+    return Vec4(left) * sum;
   }
 
   /// Largest and RMS relative difference over a frame, pixels that the horizon or the limb's top crosses left out.
@@ -181,6 +183,24 @@ TEST_F(SkyPassTest, SmallTablesAreDrawnToo) {
     // Light that goes on for 8 nodes over the azimuth is smoother than what the march finds.
     EXPECT_LT(difference.worst, 0.02) << height_km << " km";
     EXPECT_LT(difference.rms, 0.002) << height_km << " km";
+  }
+}
+
+TEST_F(SkyPassTest, AnEclipseDimsTheMapPlaceByPlace) {
+  options.air.medium = std::make_shared<const Medium>(published_medium());
+  for (const auto& [height_km, apart_deg] :
+       {std::pair(0.0, 0.0), std::pair(0.0, 0.3), std::pair(11.0, 0.0), std::pair(400.0, 0.3)}) {
+    SkyState sky = sky_with(place(250.0, 30.0), place(250.0, 30.0 + apart_deg), height_km * kilometre);
+    sky.moon.place.distance = 362000.0 * kilometre;
+    sky.moon.phase_angle = 180.0 * deg;
+    ASSERT_NE(plan_frame(sky, view, {}, options).eclipse.sky, nullptr);
+    const Difference difference = compare(sky);
+    std::printf("Moon %.2f deg from the Sun, %5.1f km: worst %.4f, rms %.5f, toward %.3f %.3f %.3f\n", apart_deg,
+                height_km, difference.worst, difference.rms, worst_at.x, worst_at.y, worst_at.z);
+    EXPECT_GT(difference.pixels, 1000);
+    // In totality light goes over four magnitudes between the nodes of the map.
+    EXPECT_LT(difference.worst, apart_deg > 0.0 ? 0.01 : 0.05) << apart_deg << " deg, " << height_km << " km";
+    EXPECT_LT(difference.rms, apart_deg > 0.0 ? 0.001 : 0.004) << apart_deg << " deg, " << height_km << " km";
   }
 }
 

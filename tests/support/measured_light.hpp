@@ -3,6 +3,8 @@
 
 #include "vesper/base/csv.hpp"
 #include "vesper/base/files.hpp"
+#include "vesper/base/shader_math.hpp"
+#include "vesper/light/moonlight.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -23,6 +25,12 @@ inline double airless_altitude_deg(double apparent_deg) {
   }
   const double argument_deg = apparent_deg + 7.31 / (apparent_deg + 4.4);
   return apparent_deg - 1.0 / (60.0 * std::tan(argument_deg * std::numbers::pi / 180.0));
+}
+
+/// The full Moon of these tables, whose law of phases has no opposition surge (Janiczek and DeYoung 1987).
+inline Spectrum full_moon_without_surge() {
+  return scaled(moon_irradiance(0.0 * deg, moon_mean_distance, astronomical_unit),
+                std::pow(10.0, -0.4 * f64::lunar_surge_mag(0.0)));
 }
 
 } // namespace vesper::test

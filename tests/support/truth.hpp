@@ -39,6 +39,13 @@ public:
   [[nodiscard]] Instant stamp() const {
     return parse_instant(text("utc"), text("scale") == "UT1" ? TimeScale::ut1 : TimeScale::utc);
   }
+  /// The instant of a stamp in another column, in the row's time scale and with its own Delta-T.
+  [[nodiscard]] Instant instant_in(std::string_view column) const {
+    const bool ut1 = text("scale") == "UT1";
+    const Instant instant = parse_instant(text(column), ut1 ? TimeScale::ut1 : TimeScale::utc);
+    return ut1 ? instant_from({instant.ut1.day, instant.ut1.fraction + number("delta_t") / 86400.0}, instant.ut1)
+               : instant;
+  }
   /// Whether the row lies in the years that the embedded ephemeris is for, 1960 to 2059.
   [[nodiscard]] bool in_table_years() const {
     const double jd_tt = number("jd_tt");

@@ -1,0 +1,81 @@
+#include "vesper/sky/moon_illumination.hpp"
+
+#include "vesper/astro/constants.hpp"
+#include "vesper/astro/spherical.hpp"
+#include "vesper/light/moonlight.hpp"
+#include "vesper/light/photometry.hpp"
+#include "vesper/sky/eclipse_light.hpp"
+#include "vesper/sky/moon_samples.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace vesper {
+namespace {
+
+Vec3 towards(const Selenographic& place) { return unit_vector(place.longitude.to(rad), place.latitude.to(rad)); }
+
+/// Where the Moon's light comes from without an eclipse: what the shadow lays over highlands costs more light than over
+/// maria.
+std::vector<MoonPlace> sunlit_face(const SkyState& sky) {
+  static const MoonSamples samples = sample_moon(default_moon_map(), 4096);
+  f64::MoonLighting lighting{};
+  lighting.to_sun = towards(sky.moon.subsolar);
+  lighting.sun_law = lunar_law(sky.moon.phase_angle);
+  lighting.sun_radius_rad = std::asin(sun_radius / sky.lunar_eclipse.sun_distance);
+  const Vec3 observer = sky.moon.place.distance / moon_mean_radius * towards(sky.moon.libration);
+  const Mat3 icrs_from_moon_fixed = glm::transpose(sky.moon.moon_fixed_from_icrs);
+  std::vector<MoonPlace> face;
+  double sum = 0.0;
+  for_sunlit(samples, observer, lighting, [&](const MoonSample& sample, double light) {
+    face.push_back({icrs_from_moon_fixed * Vec3(sample.normal), light});
+    sum += light;
+  });
+  for (MoonPlace& place : face) {
+    place.share /= sum;
+  }
+  return face;
+}
+
+} // namespace
+
+MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
+  const LunarEclipseState& shadow = sky.lunar_eclipse; // has both bodies from the Earth's centre
+  const Vec3 sun_km = -shadow.sun_distance.to(kilometre) * shadow.axis;
+  const Length sun_distance = glm::length(sun_km - shadow.moon_km) * kilometre;
+  const Length earth_distance = glm::length(shadow.moon_km) * kilometre;
+  const Angle earth_phase = angle_between(sun_km, shadow.moon_km);
+  const Angle phase_of_earthlight =
+      earthlight_phase(angle_between(towards(sky.moon.libration), towards(sky.moon.geocentric_libration)),
+                       std::asin(earth_mean_radius / earth_distance) * rad);
+  const Length distance = sky.moon.place.distance;
+  return {sun_distance,
+          earth_distance,
+          earth_phase,
+          phase_of_earthlight,
+          earth_irradiance(earth_phase, earth_distance, shadow.sun_distance, law),
+          moon_irradiance(sky.moon.phase_angle, distance, sun_distance),
+          filtered(moon_irradiance(phase_of_earthlight, distance, shadow.sun_distance),
+                   earthlight_share(earth_phase, earth_distance, law))};
+}
+
+Spectrum sunlight_on_moon(const SkyState& sky) {
+  return sunlight_on_moon(sky.lunar_eclipse, sunlit_face(sky), sky.eclipse_air, sky.tier);
+}
+
+Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination) {
+  const Spectrum& sunlit = illumination.sunlit_moon;
+  const bool eclipsed = sky.lunar_eclipse.penumbral_magnitude > 0.0;
+  return added(eclipsed ? filtered(sunlit, sunlight_on_moon(sky)) : sunlit, illumination.earthlit_moon);
+}
+
+MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance) {
+  const Xyzs illuminance = integrate_xyzs(irradiance);
+  const double solid_angle_sr = std::numbers::pi * std::pow(moon_mean_radius / distance, 2);
+  return {illuminance, v_magnitude(irradiance), illuminance.y / solid_angle_sr * candela_per_m2};
+}
+
+Spectrum moonlight_of(const SkyState& sky) { return moonlight_of(sky, moon_illumination(sky)); }
+
+} // namespace vesper

@@ -1,0 +1,49 @@
+// The Moon's map as places spread evenly over the globe, to add up its light.
+#pragma once
+
+#include "vesper/assets/moon_map.hpp"
+#include "vesper/base/shader_math.hpp"
+#include "vesper/base/vector.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace vesper {
+
+/// One place: the map between its texels, as a picture reads it.
+struct MoonSample {
+  f32::vec3 normal; ///< of the sphere
+  f32::vec3 relief; ///< normal of the surface
+  float albedo;
+  float solid_angle; ///< of its share of the sphere, from the Moon's centre
+};
+
+using MoonSamples = std::vector<MoonSample>;
+
+/// \param places on each face of the cube, at least 1. With 16384 the light of a disc is found within 0.05 % to 150
+///        degrees of phase and 0.5 % to 172.
+/// Throws Error(argument) unless the map has six square faces and there is a place.
+[[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int places = 16384);
+
+/// Illuminances, per lux on a plane at the Moon that faces the light, that a disc gives an observer.
+struct MoonLightSums {
+  double sun = 0.0;
+  double earth = 0.0;
+};
+/// \param observer from the Moon's centre, in its radii and its axes; outside the sphere
+[[nodiscard]] MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer,
+                                           const f64::MoonLighting& lighting);
+
+/// The same as X, Y, Z, S in lux with shares of sunlight that differ from place to place.
+/// \param eclipse_xyzs of a place on the unit sphere, in the Moon's axes
+[[nodiscard]] Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                                  const std::function<Vec4(const Vec3&)>& eclipse_xyzs);
+
+/// Calls `with` for the samples that the Sun lights, with the part of MoonLightSums::sun that is theirs.
+void for_sunlit(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                const std::function<void(const MoonSample&, double)>& with);
+
+/// Lighting as the GPU holds it.
+[[nodiscard]] f32::MoonLighting in_single(const f64::MoonLighting& lighting);
+
+} // namespace vesper
