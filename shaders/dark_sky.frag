@@ -1,6 +1,7 @@
 // The light of the night sky itself, added to what is drawn already. BEYOND draws what shines from behind the air and the
 // Moon: zodiacal light and faint stars. The rest is in the air: airglow, sky glow and all that the air scatters of these.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
 #ifdef BEYOND

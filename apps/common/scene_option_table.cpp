@@ -225,7 +225,6 @@ std::string apply_sky(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
-<<<<<<< HEAD
 std::string apply_solar_flux(std::string_view text, SceneOptions& scene) {
   const auto value = number_within(text, lowest_solar_flux_sfu, highest_solar_flux_sfu);
   if (!value) {
@@ -259,14 +258,15 @@ std::string apply_sky_glow_distance(std::string_view text, SceneOptions& scene) 
     return fmt::format("{:.0f} to {:.0f} km", nearest_city_km, farthest_city_km);
   }
   scene.dark_sky.glow.distance = *value * kilometre;
-=======
+  return "";
+}
+
 std::string apply_danjon(std::string_view text, SceneOptions& scene) {
   const auto value = number_within(text, least_danjon, most_danjon);
   if (!value) {
     return fmt::format("{:.0f} to {:.0f}, dark to bright", least_danjon, most_danjon);
   }
   scene.danjon = *value;
->>>>>>> main
   return "";
 }
 
@@ -334,7 +334,6 @@ constexpr std::array table{
         "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
         "a cheap way that is good by day; or reference, a Monte Carlo; default tables",
         apply_sky},
-<<<<<<< HEAD
     SceneOptionDescription{
         "solar-flux", Kind::number, "SFU", model,
         "The Sun at 10.7 cm, which the airglow follows, 60 to 400: about 70 at solar minimum, 200 at "
@@ -349,12 +348,10 @@ constexpr std::array table{
                            apply_sky_glow_azimuth},
     SceneOptionDescription{"sky-glow-distance", Kind::number, "KM", model,
                            "Distance of the city or cities, 1 to 300; default 30", apply_sky_glow_distance},
-=======
     SceneOptionDescription{"danjon", Kind::number, "L", model,
                            "How clear the Earth's air is in eclipses of the Moon, on Danjon's scale: 0, after great "
                            "eruptions, to 4; default 2.5",
                            apply_danjon},
->>>>>>> main
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

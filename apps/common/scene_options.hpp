@@ -8,11 +8,8 @@
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
-<<<<<<< HEAD
 #include "vesper/sky/dark_sky.hpp"
-=======
 #include "vesper/sky/sky_state.hpp"
->>>>>>> main
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -57,13 +54,9 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
-<<<<<<< HEAD
-  DarkSkyOptions dark_sky; ///< the Sun's activity and artificial light
-  std::uint64_t seed = 0;  ///< of everything random
-=======
+  DarkSkyOptions dark_sky;             ///< the Sun's activity and artificial light
   double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
   std::uint64_t seed = 0;              ///< of everything random
->>>>>>> main
 };
 
 /// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.

@@ -227,20 +227,13 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                                  ->type_name("FILE");
   app.add_option(
          "--columns", options.columns,
-<<<<<<< HEAD
-         "Comma-separated quantities to report, also venus_magnitude and its like, zenith_extinction_v_mag of the "
-         "medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, sun_direct_illuminance_lux, "
-         "sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, airglow_zenith_luminance_cd_m2, "
-         "airglow_illuminance_lux and those of zodiacal, starlight and sky_glow; default (the usual ones), planets "
-         "and light stand for groups; default default, of a scene as JSON light too")
-=======
          "Comma-separated quantities to report, also venus_magnitude and its like, sun_magnitude, sun_illuminance_lux "
          "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
          "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, "
-         "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's; default "
+         "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, "
+         "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; default "
          "(the usual ones), planets, discs and light stand for groups; default default, of a scene as JSON discs and "
          "light too")
->>>>>>> main
       ->type_name("LIST");
   const SceneOptionSet scene_options(app);
 

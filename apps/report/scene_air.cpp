@@ -13,13 +13,10 @@ struct SceneAir::Parts {
   PathBudget budget;
   std::once_flag tables_made;
   std::shared_ptr<const SkyTables> tables;
-<<<<<<< HEAD
   std::mutex dark_air_made;
   std::map<Length, std::shared_ptr<const DarkAir>> dark_airs;
-=======
   std::once_flag eclipsed_made;
   std::shared_ptr<const EclipsedAir> eclipsed;
->>>>>>> main
   std::once_flag transport_made;
   std::optional<ReferenceTransport> transport;
 };
@@ -41,7 +38,6 @@ const SkyTables& SceneAir::tables() const {
   return *parts_->tables;
 }
 
-<<<<<<< HEAD
 std::shared_ptr<const DarkAir> SceneAir::dark_air(Length height) const {
   constexpr std::size_t most_heights = 64; // of a table with places all over
   static_cast<void>(tables());
@@ -60,13 +56,11 @@ std::shared_ptr<const DarkAir> SceneAir::dark_air(Length height) const {
 
 const DarkSkyOptions& SceneAir::dark_sky() const { return parts_->scene.dark_sky; }
 
-=======
 const std::shared_ptr<const EclipsedAir>& SceneAir::eclipsed() const {
   std::call_once(parts_->eclipsed_made, [this] { parts_->eclipsed = std::make_shared<const EclipsedAir>(medium()); });
   return parts_->eclipsed;
 }
 
->>>>>>> main
 const ReferenceTransport& SceneAir::transport() const {
   std::call_once(parts_->transport_made, [this] { parts_->transport.emplace(medium(), medium().wavelengths_nm); });
   return *parts_->transport;

@@ -5,12 +5,9 @@
 #include "report/star_report.hpp"
 
 #include "vesper/astro/constants.hpp"
-<<<<<<< HEAD
 #include "vesper/light/night_light.hpp"
-=======
 #include "vesper/light/photometry.hpp"
 #include "vesper/sky/moon_illumination.hpp"
->>>>>>> main
 
 #include <fmt/format.h>
 

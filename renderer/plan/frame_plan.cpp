@@ -92,10 +92,7 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   plan.star_copies = copies_of(view.projection);
   static const auto clear = std::make_shared<const Medium>(clear_medium());
   const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
-<<<<<<< HEAD
   const bool beyond_air = has(options.layers, Layer::zodiacal) || has(options.layers, Layer::milky_way);
-=======
->>>>>>> main
   if (options.air.extinction) {
     if (plan.cheap_stars) {
       plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);

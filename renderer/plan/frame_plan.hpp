@@ -83,26 +83,16 @@ struct FramePlan {
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
   std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
   std::vector<PlannedLight> lights;                    ///< of the layer `sky`; none where it is not drawn
-<<<<<<< HEAD
-  std::shared_ptr<const PlannedDarkSky> dark_sky;      ///< none where none of its layers is drawn
-  Refraction refraction;                               ///< with its table
-=======
-  PlannedEclipse eclipse;            ///< what dims the sky, whose lights are those outside the Moon's shadow then
-  Refraction refraction;             ///< with its table
->>>>>>> main
+  PlannedEclipse eclipse; ///< what dims the sky, whose lights are those outside the Moon's shadow then
+  std::shared_ptr<const PlannedDarkSky> dark_sky; ///< none where none of its layers is drawn
+  Refraction refraction;                          ///< with its table
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
-<<<<<<< HEAD
-/// \param before the plan of an earlier frame, whose tables for the observer's place serve again (and need not be made,
-/// in 3 ms, or
-///        30 for the dark sky's) where medium, height and the air that bends the light are the same
-=======
 /// \param before the plan of an earlier frame, whose table of extinction serves again (and need not be made, in 3 ms)
 ///        where medium, height and the air that bends the light are the same; likewise what is known of the air in
-///        an eclipse of the Sun (0.2 s)
->>>>>>> main
+///        an eclipse of the Sun (0.2 s) and of that before the dark sky (30 ms)
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);
 
