@@ -326,8 +326,8 @@ constexpr std::array table{
     SceneOptionDescription{"medium", Kind::name_or_file, "NAME|FILE", model,
                            "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
-                           "What to draw, comma-separated: stars, planets, milky-way, sky, airglow, zodiacal, "
-                           "sky-glow, ground; default all",
+                           "What to draw, comma-separated: stars, planets, milky-way, moon, sun, sky, airglow, "
+                           "zodiacal, sky-glow, ground; default all",
                            apply_layers},
     SceneOptionDescription{
         "sky", Kind::text, "NAME", model,

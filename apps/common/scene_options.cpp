@@ -2,11 +2,15 @@
 
 #include "common/scene_option_table.hpp"
 
+#include "vesper/atmosphere/earth_shadow_light.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
+
+#include <memory>
+#include <mutex>
 
 namespace vesper {
 namespace {
@@ -19,6 +23,19 @@ constexpr double greenwich_height_m = 47.0;
 // Twice the field of a fast lens: wide enough for a constellation with its neighbours. The default of the other
 // projections, 180 degrees, is beyond what a perspective can show.
 constexpr double perspective_fov_deg = 60.0;
+
+/// Of the scene's medium, made once for it: half a second.
+std::shared_ptr<const EarthShadowLight> shadow_light_of(const SceneOptions& scene) {
+  static std::mutex mutex;
+  static std::shared_ptr<const Medium> medium;
+  static std::shared_ptr<const EarthShadowLight> light;
+  const std::scoped_lock lock(mutex);
+  if (medium != scene.medium) {
+    light = std::make_shared<const EarthShadowLight>(make_earth_shadow_light(*scene.medium));
+    medium = scene.medium;
+  }
+  return light;
+}
 
 void overwrite(GivenOptions& target, const GivenOptions& source) {
   for (const auto& [name, value] : source) {
@@ -118,6 +135,9 @@ SkyState sky_state_of(const SceneOptions& scene, const Instant& instant, const O
   SkyState sky = sky_state(instant, observer, scene.tier);
   sky.refraction = refraction_of(scene, observer.height);
   sky.eclipse_air.danjon = scene.danjon;
+  if (sky.lunar_eclipse.penumbral_magnitude > 0.0 && scene.medium_name != SceneOptions().medium_name) {
+    sky.eclipse_air.light = shadow_light_of(scene);
+  }
   return sky;
 }
 

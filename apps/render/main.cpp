@@ -28,6 +28,11 @@ struct RenderOptions {
   std::string output;
   std::string catalogue;
   std::string shader_dir;
+  std::string moon_map;
+  std::string sun_law = "hestroffer-magnan";
+  std::string streamers = "on";
+  double moon_scale = 1.0;
+  double sun_scale = 1.0;
   std::string scintillation = "on";
   std::string extinction = "on";
   std::string refraction = "on";
@@ -85,6 +90,45 @@ void print_timings(const std::vector<gpu::PassTiming>& timings) {
   write_standard_output(text);
 }
 
+DiscOptions disc_options(const RenderOptions& options) {
+  DiscOptions discs;
+  if (!options.moon_map.empty()) {
+    discs.moon = make_moon_globe(read_moon_map(options.moon_map));
+  }
+  discs.sun.law = options.sun_law == "neckel" ? LimbDarkening::neckel : LimbDarkening::hestroffer_magnan;
+  discs.sun.streamers = options.streamers == "on";
+  discs.moon_scale = options.moon_scale;
+  discs.sun_scale = options.sun_scale;
+  return discs;
+}
+
+/// The display's white by what the picture shows: by the light of areas, not of points.
+Luminance automatic_white(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
+                          Luminance least) {
+  const View small = gpu::metering_view(view);
+  const auto frame_of = [&](LayerSet layers) {
+    FrameOptions metered = plan.options;
+    metered.layers = layers;
+    return renderer.render(sky, small, plan_frame(sky, small, {}, metered, &plan));
+  };
+  Luminance white = least;
+  if (!plan.lights.empty() || plan.dark_sky) {
+    LayerSet areas = plan.options.layers;
+    for (const Layer layer : {Layer::stars, Layer::planets, Layer::moon, Layer::sun}) {
+      areas.reset(static_cast<std::size_t>(layer));
+    }
+    white = gpu::metered_white(frame_of(areas), white);
+  }
+  if (plan.moon || plan.sun) {
+    LayerSet discs;
+    for (const Layer layer : {Layer::moon, Layer::sun, Layer::ground}) {
+      discs.set(static_cast<std::size_t>(layer));
+    }
+    white = gpu::white_before_discs(white, frame_of(plan.options.layers & discs));
+  }
+  return white;
+}
+
 void render(const SceneOptions& scene, const RenderOptions& options) {
   const OutputKind kind = output_kind(options.output);
   require_writable(options.output);
@@ -110,6 +154,7 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;
+  frame_options.discs = disc_options(options);
 
   SkyState sky = sky_state_of(scene);
   if (frame_options.air.refraction) {
@@ -124,12 +169,8 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
   Luminance white = gpu::star_chart_white(scene.view);
-  if (kind == OutputKind::png && (!plan.lights.empty() || plan.dark_sky)) {
-    // What is metered is the light of areas, not of points.
-    FrameOptions metered = frame_options;
-    metered.layers.reset(static_cast<std::size_t>(Layer::stars)).reset(static_cast<std::size_t>(Layer::planets));
-    const View view = gpu::metering_view(scene.view);
-    white = gpu::metered_white(renderer.render(sky, view, plan_frame(sky, view, {}, metered, &plan)), white);
+  if (kind == OutputKind::png) {
+    white = automatic_white(renderer, sky, scene.view, plan, white);
   }
   gpu::PlainExposure exposure(shaders, white * std::exp2(-options.exposure_stops));
   gpu::RenderOutputs outputs;
@@ -166,6 +207,15 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   const CLI::Validator on_off = CLI::IsMember({"on", "off"});
   app.add_option("-o,--output", options.output, "picture to write: NAME.png or NAME.exr")->required();
   app.add_option("--catalogue", options.catalogue, "star buffer (.glb) in place of the embedded Bright Star Catalogue");
+  app.add_option("--moon-map", options.moon_map, "map of the Moon (.exr) in place of the embedded one");
+  const CLI::Range disc_scale(1.0, largest_disc_scale);
+  app.add_option("--moon-scale", options.moon_scale,
+                 "factor of the Moon's diameter, 1 to 100, with the same light as a whole; default 1")
+      ->check(disc_scale);
+  app.add_option("--sun-scale", options.sun_scale, "the same of the Sun")->check(disc_scale);
+  app.add_option("--limb-darkening", options.sun_law, "of the Sun: hestroffer-magnan (default) or neckel")
+      ->check(CLI::IsMember({"hestroffer-magnan", "neckel"}));
+  app.add_option("--streamers", options.streamers, "of the corona: on, off")->check(on_off);
   app.add_option("--scintillation", options.scintillation, "twinkling of the stars: on, off")->check(on_off);
   app.add_option("--exposure-time", options.exposure_time_s,
                  "seconds that scintillation is averaged over (default 0.1, the eye's)")

@@ -23,7 +23,7 @@ struct EarthShadowLight {
   std::vector<double> wavelengths_nm; ///< ascending
   double nearest_sun_au = 0.0;        ///< of two distances
   double farthest_sun_au = 0.0;
-  /// Logarithms of the shares, negative, in units of 1/2000: by L (0, 1, 2, 3, 4), Sun, row, column and wavelength.
+  /// Minus the logarithms of the shares, in units of 1/2000: by L (0, 1, 2, 3, 4), Sun, row, column and wavelength.
   std::vector<std::uint16_t> log_shares;
 
   static constexpr double logs_per_unit = 2000.0;

@@ -36,6 +36,12 @@ struct StarExtinction {
 [[nodiscard]] StarExtinction make_star_extinction(const Medium& medium, Length height,
                                                   const std::optional<RefractionConditions>& bending);
 
+/// The same for light that began as sunlight: the Sun's disc to its limb, the Moon by day and night, eclipsed or not.
+/// Columns are sunlight times powers of the wavelength from -4 to 20. For the full Moon's light each of X, Y, Z and S
+/// is within 0.6 % of the integral above 5 degrees and 3 % down to 1 degree.
+[[nodiscard]] StarExtinction make_sunlight_extinction(const Medium& medium, Length height,
+                                                      const std::optional<RefractionConditions>& bending);
+
 [[nodiscard]] f64::sampler2D star_extinction_sampler(const StarExtinction& table);
 
 /// The shares that are left of X, Y, Z and S.

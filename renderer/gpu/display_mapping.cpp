@@ -68,4 +68,28 @@ Luminance metered_white(const Frame& frame, Luminance least) {
   return lit == 0 ? least : std::max(least, std::exp(sum / lit) / average_of_white * candela_per_m2);
 }
 
+Luminance white_before_discs(Luminance white, const Frame& discs) {
+  constexpr double least_share = 1.0 / 500.0;
+  constexpr double full_share = 1.0 / 20.0;
+  constexpr double average_of_white = 0.5;
+  const double sky_white = white.to(candela_per_m2);
+  double sum = 0.0;
+  std::size_t brighter = 0;
+  for (std::size_t i = 1; i < discs.xyzs.size(); i += 4) {
+    const auto luminance = static_cast<double>(discs.xyzs[i]);
+    if (luminance > sky_white) {
+      sum += std::log(luminance);
+      ++brighter;
+    }
+  }
+  if (brighter == 0) {
+    return white;
+  }
+  const auto count = static_cast<double>(brighter);
+  const double share = count / (0.25 * static_cast<double>(discs.xyzs.size()));
+  const double weight = glm::smoothstep(std::log(least_share), std::log(full_share), std::log(share));
+  const double disc_white = sum / count - std::log(average_of_white);
+  return std::exp(glm::mix(std::log(sky_white), std::max(disc_white, std::log(sky_white)), weight)) * candela_per_m2;
+}
+
 } // namespace vesper::gpu

@@ -48,4 +48,9 @@ private:
 /// would have it; not less than `least`. Pixels without light do not count.
 [[nodiscard]] Luminance metered_white(const Frame& frame, Luminance least);
 
+/// The same white where discs of Moon and Sun are in the picture: it stays as long as what would be brighter than it
+/// takes less than 1/500 of the picture, and is twice their log-average where that is 1/20 or more.
+/// \param discs a frame of nothing else
+[[nodiscard]] Luminance white_before_discs(Luminance white, const Frame& discs);
+
 } // namespace vesper::gpu

@@ -18,12 +18,12 @@ StarExtinction no_extinction() {
 
 } // namespace
 
-void ExtinctionTexture::update(const FramePlan& plan) {
-  if (texture_ && plan.extinction == planned_) {
+void ExtinctionTexture::update(const std::shared_ptr<const PlannedExtinction>& planned) {
+  if (texture_ && planned == planned_) {
     return;
   }
   static const StarExtinction none = no_extinction();
-  planned_ = plan.extinction;
+  planned_ = planned;
   const StarExtinction* table = &none;
   if (planned_ != nullptr) {
     table = &planned_->table;

@@ -1,4 +1,4 @@
-// The table of the stars' extinction on the GPU, for any pass that includes lib/extinction.glsl.
+// A table of extinction on the GPU, for any pass that includes lib/extinction.glsl.
 #pragma once
 
 #include "vesper/base/shader_math.hpp"
@@ -11,8 +11,8 @@ namespace vesper::gpu {
 
 class ExtinctionTexture {
 public:
-  /// Copies the plan's table if it is not the one copied last. A plan without one leaves all light.
-  void update(const FramePlan& plan);
+  /// Copies a plan's table if it is not the one copied last. None leaves all light.
+  void update(const std::shared_ptr<const PlannedExtinction>& planned);
 
   /// How the texture is read.
   [[nodiscard]] const f64::StarExtinctionFrame& frame() const { return frame_; }

@@ -2,6 +2,7 @@
 
 #include "vesper/base/error.hpp"
 
+#include <bit>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
@@ -84,6 +85,19 @@ Texture make_volume_texture(int width, int height, int depth) {
   Texture texture(name);
   glTextureStorage3D(name, 1, GL_RGBA32F, width, height, depth);
   require_no_error("creating a texture");
+  return texture;
+}
+
+Texture make_cube_texture(int side) {
+  GLuint name = 0;
+  glCreateTextures(GL_TEXTURE_CUBE_MAP, 1, &name);
+  Texture texture(name);
+  glTextureStorage2D(name, static_cast<GLsizei>(std::bit_width(static_cast<unsigned int>(side))), GL_RGBA32F, side,
+                     side);
+  glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  require_no_error("creating a cube texture");
   return texture;
 }
 

@@ -69,6 +69,9 @@ enum class PixelFormat { rgba32f, rgba8 };
 [[nodiscard]] Texture make_buffer_texture(const Buffer& buffer, int channels);
 /// A volume of such texels without contents.
 [[nodiscard]] Texture make_volume_texture(int width, int height, int depth);
+/// Six square faces of RGBA texels of 32-bit floats without contents, with room for all mipmaps, to be read between
+/// texels, mipmaps and faces.
+[[nodiscard]] Texture make_cube_texture(int side);
 /// Has texture() interpolate linearly, up to the texels of the edges.
 void interpolate(const Texture& texture);
 [[nodiscard]] Framebuffer make_framebuffer(const Texture& color);

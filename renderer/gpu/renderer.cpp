@@ -43,7 +43,8 @@ struct Renderer::Target {
 };
 
 Renderer::Renderer(const ShaderLibrary& library)
-    : star_pass_(library), planet_pass_(library), dark_sky_pass_(library), ground_pass_(library), sky_pass_(library) {}
+    : star_pass_(library), planet_pass_(library), dark_sky_pass_(library), moon_pass_(library), sun_pass_(library),
+      ground_pass_(library), sky_pass_(library) {}
 
 Renderer::~Renderer() = default;
 
@@ -85,6 +86,14 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (plan.dark_sky) {
     dark_sky_pass_.prepare(view, plan);
     graph.add("zodiacal", [&](const Strip& strip) { dark_sky_pass_.draw_beyond(strip); });
+  }
+  if (plan.moon) {
+    timed("moon", timings, [&] { moon_pass_.prepare(sky, view, plan, outputs.moon_shading); });
+    graph.add("moon", [&](const Strip& strip) { moon_pass_.draw(strip); });
+  }
+  if (plan.sun) {
+    timed("sun", timings, [&] { sun_pass_.prepare(sky, view, plan); });
+    graph.add("sun", [&](const Strip& strip) { sun_pass_.draw(strip); });
   }
   if (has(plan.options.layers, Layer::ground)) {
     ground_pass_.prepare(view, plan);

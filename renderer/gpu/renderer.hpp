@@ -6,10 +6,12 @@
 #include "vesper/gpu/display_mapping.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/ground_pass.hpp"
+#include "vesper/gpu/moon_pass.hpp"
 #include "vesper/gpu/planet_pass.hpp"
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/gpu/sky_pass.hpp"
 #include "vesper/gpu/star_pass.hpp"
+#include "vesper/gpu/sun_pass.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -24,6 +26,7 @@ struct RenderOutputs {
   DisplayMapping* mapping = nullptr; ///< display pixels through it; none if null
   bool timings = false;              ///< wall-clock time per pass; costs a wait for the GPU after each
   StarShading star_shading = StarShading::psf;
+  MoonShading moon_shading = MoonShading::surface;
 };
 
 /// Needs a current OpenGL 4.5 core context from construction to destruction, all on one thread. A picture larger than
@@ -57,6 +60,8 @@ private:
   StarPass star_pass_;
   PlanetPass planet_pass_;
   DarkSkyPass dark_sky_pass_;
+  MoonPass moon_pass_;
+  SunPass sun_pass_;
   GroundPass ground_pass_;
   SkyPass sky_pass_;
   std::unique_ptr<Target> target_;

@@ -188,7 +188,7 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
   }
   draw_program_ = &draw_programs_.get(defines);
   refraction_.update(plan.refraction);
-  extinction_.update(plan);
+  extinction_.update(plan.extinction);
   update_buffer(uniforms_, bytes_of(star_block(sky, view, plan, extinction_.frame(), epoch_jyear_)));
 
   glUseProgram(place_program.name());

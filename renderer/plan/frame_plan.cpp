@@ -33,15 +33,18 @@ std::optional<RefractionConditions> bending_of(const SkyState& sky, const AirOpt
   return std::nullopt;
 }
 
+using ExtinctionMaker = StarExtinction (*)(const Medium&, Length, const std::optional<RefractionConditions>&);
+
+/// \param before that of an earlier frame, which serves again where it was made for the same
 std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, const AirOptions& air,
-                                                        std::shared_ptr<const Medium> medium, const FramePlan* before) {
+                                                        std::shared_ptr<const Medium> medium, ExtinctionMaker make,
+                                                        std::shared_ptr<const PlannedExtinction> before) {
   const std::optional<RefractionConditions> bending = bending_of(sky, air);
   const Length height = sky.observer.height;
-  if (before != nullptr && before->extinction != nullptr && before->extinction->medium == medium &&
-      before->extinction->height == height && before->extinction->bending == bending) {
-    return before->extinction;
+  if (before != nullptr && before->medium == medium && before->height == height && before->bending == bending) {
+    return before;
   }
-  StarExtinction table = make_star_extinction(*medium, height, bending);
+  StarExtinction table = make(*medium, height, bending);
   return std::make_shared<const PlannedExtinction>(
       PlannedExtinction{std::move(medium), height, bending, std::move(table)});
 }
@@ -74,6 +77,34 @@ std::vector<PlannedLight> planned_lights(const std::vector<SkyLight>& lights, co
   return planned;
 }
 
+/// What the air leaves of the light of Moon and Sun, as their passes have it.
+Vec4 share_through_air(const FramePlan& plan, double sin_altitude, const Vec4& light) {
+  if (plan.sunlight_extinction != nullptr) {
+    return star_extinction(plan.sunlight_extinction->table, sin_altitude, light);
+  }
+  const double path = f64::optical_path(sin_altitude, plan.observer_height.to(kilometre));
+  return f64::modulate_xyzs(light, f64::extinction(plan.optical_depth, path)) / light;
+}
+
+void plan_discs(const SkyState& sky, const View& view, FramePlan& plan) {
+  DiscScene scene{
+      sky,
+      view,
+      plan.refraction,
+      [&plan](double sin_altitude, const Vec4& light) { return share_through_air(plan, sin_altitude, light); },
+      std::nullopt,
+      !plan.lights.empty()};
+  if (has(plan.options.layers, Layer::ground)) {
+    scene.ground_sin_altitude = plan.horizon_sin_altitude;
+  }
+  if (has(plan.options.layers, Layer::moon)) {
+    plan.moon = plan_moon(scene, plan.options.discs);
+  }
+  if (has(plan.options.layers, Layer::sun)) {
+    plan.sun = plan_sun(scene, plan.options.discs);
+  }
+}
+
 } // namespace
 
 FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
@@ -97,8 +128,14 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
     if (plan.cheap_stars) {
       plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);
     }
+    const bool again = before != nullptr;
     if (!plan.cheap_stars || beyond_air) {
-      plan.extinction = extinction_for(sky, options.air, medium, before);
+      plan.extinction =
+          extinction_for(sky, options.air, medium, make_star_extinction, again ? before->extinction : nullptr);
+    }
+    if (!plan.cheap_stars && (has(options.layers, Layer::moon) || has(options.layers, Layer::sun))) {
+      plan.sunlight_extinction = extinction_for(sky, options.air, medium, make_sunlight_extinction,
+                                                again ? before->sunlight_extinction : nullptr);
     }
   }
   if (options.air.refraction) {
@@ -109,10 +146,12 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
     plan.lights = planned_lights(lights, plan.refraction);
     plan.eclipse = eclipse_for(sky, lights, medium, before);
   }
+  plan.observer_height = sky.observer.height;
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
   plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,
                                 options.air.sky_tables, bending_of(sky, options.air), plan.horizon_sin_altitude,
                                 before != nullptr ? before->dark_sky.get() : nullptr);
+  plan_discs(sky, view, plan);
   return plan;
 }
 

@@ -9,6 +9,7 @@
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/dark_sky_plan.hpp"
 #include "vesper/plan/layers.hpp"
+#include "vesper/plan/planned_disc.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
 
@@ -42,6 +43,7 @@ struct FrameOptions {
   LayerSet layers = all_layers();
   AirOptions air;
   DarkSkyOptions dark_sky;
+  DiscOptions discs;
   std::uint32_t seed = 0;
   std::uint32_t frame_number = 0; ///< counts the frames of a sequence; the cheap scintillation's only clock
   double control_magnitude = 4.0; ///< of the cheap tier (Mueller et al. 2012, m_a)
@@ -51,7 +53,7 @@ struct FrameOptions {
 /// The most billboards that one star needs: the faces that meet at a cube's corner.
 inline constexpr int most_star_copies = 3;
 
-/// A table of the stars' extinction, and what it was made for.
+/// A table of extinction, and what it was made for.
 struct PlannedExtinction {
   std::shared_ptr<const Medium> medium;
   Length height;
@@ -81,18 +83,22 @@ struct FramePlan {
   std::size_t star_count = 0; ///< a prefix of the catalogue
   int star_copies = 1;        ///< billboards per star: 2 where the picture wraps round, 3 for the faces of a cube
   Vec4 optical_depth{};       ///< of one zenith column, for the cheap tier: star_optical_depth_xyzs
-  std::shared_ptr<const PlannedExtinction> extinction; ///< for the others; none where the air takes nothing
-  std::vector<PlannedLight> lights;                    ///< of the layer `sky`; none where it is not drawn
-  PlannedEclipse eclipse; ///< what dims the sky, whose lights are those outside the Moon's shadow then
+  std::shared_ptr<const PlannedExtinction> extinction;          ///< for the others; none where the air takes nothing
+  std::shared_ptr<const PlannedExtinction> sunlight_extinction; ///< the same for Moon and Sun
+  std::optional<PlannedMoon> moon;                              ///< none where it does not show
+  std::optional<PlannedSun> sun;
+  std::vector<PlannedLight> lights; ///< of the layer `sky`; none where it is not drawn
+  PlannedEclipse eclipse;           ///< what dims the sky, whose lights are those outside the Moon's shadow then
   std::shared_ptr<const PlannedDarkSky> dark_sky; ///< none where none of its layers is drawn
   Refraction refraction;                          ///< with its table
+  Length observer_height;
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
 
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
-/// \param before the plan of an earlier frame, whose table of extinction serves again (and need not be made, in 3 ms)
-///        where medium, height and the air that bends the light are the same; likewise what is known of the air in
-///        an eclipse of the Sun (0.2 s) and of that before the dark sky (30 ms)
+/// \param before the plan of an earlier frame, whose tables of extinction serve again (and need not be made, in 3 ms
+///        each) where medium, height and the air that bends the light are the same; likewise what is known of the air
+///        in an eclipse of the Sun (0.2 s) and of that before the dark sky (30 ms)
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);
 

@@ -56,7 +56,7 @@ struct MoonPlace {
 [[nodiscard]] LunarEclipseTable lunar_eclipse_table(const LunarEclipseState& eclipse, const Spectrum& moonlight,
                                                     const EclipseAir& air = {}, Tier tier = Tier::standard);
 
-/// Magnitudes in V by which sunlight is dimmed to a share, 0 where none is left out, infinite where all is.
+/// Magnitudes in V by which sunlight is dimmed to a share of it: 0 for all, infinite for none.
 [[nodiscard]] double dimming_v_mag(const Spectrum& share);
 
 /// The L that an eclipse will be given by who sees it: not only the air makes it bright, but also how deep the Moon

@@ -6,6 +6,7 @@
 #include "vesper/shaders/lib/star_psf.glsl"
 #include "vesper/shaders/lib/refraction.glsl"
 #include "vesper/shaders/lib/extinction.glsl"
+#include "vesper/shaders/lib/disc.glsl"
 #include "vesper/shaders/lib/phase.glsl"
 #include "vesper/shaders/lib/sky_table.glsl"
 #include "vesper/shaders/lib/sky_to_point.glsl"

@@ -136,7 +136,7 @@ TEST(EclipsedSky, MidTotalityAgainstTheReference) {
   for (const double sun : {10.0, 30.0, 60.0}) {
     std::printf("Sun %g degrees up\n", sun);
     const Eclipse eclipse(sun, 0.0);
-    EXPECT_EQ(eclipse.obscured(), 1.0);
+    EXPECT_NEAR(eclipse.obscured(), 1.0, 2.0e-6); // but for the corona
     compare(eclipse, {{90.0, 0.0}}, 30000, zenith);
     compare(eclipse, {{45.0, 180.0}, {10.0, 90.0}}, 30000, sky);
     compare(eclipse, {{3.0, 90.0}}, 30000, horizon);
@@ -153,7 +153,7 @@ TEST(EclipsedSky, MidTotalityAgainstTheReference) {
 
 TEST(EclipsedSky, EdgeOfTheUmbraAgainstTheReference) {
   const Eclipse eclipse(30.0, 83.0);
-  EXPECT_GT(eclipse.obscured(), 0.9999);
+  EXPECT_GT(eclipse.obscured(), 0.9995);
   test::ErrorSum errors;
   compare(eclipse, {{90.0, 0.0}, {45.0, 180.0}, {10.0, 0.0}, {3.0, 180.0}}, 30000, errors);
   errors.hold("luminance of the sky at the umbra's edge", 25.0, "%");

@@ -73,7 +73,7 @@ void main() {
   table.update(refraction);
   table.bind(0);
   gpu::ExtinctionTexture extinction;
-  extinction.update(plan);
+  extinction.update(plan.extinction);
   extinction.bind(1);
   glUseProgram(program.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, in.name());

@@ -124,8 +124,8 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
       {{"--sky-glow", "mag"}, "10mag to 22mag"},
       {{"--sky-glow-azimuth", "361"}, "-360 to 360 degrees"},
       {{"--sky-glow-distance", "0.5"}, "1 to 300 km"},
-      {{"--layers", "stars,moonbase"}, "stars, planets, milky-way, sky, airglow"},
-      {{"--layers", "stars,"}, "stars, planets, milky-way, sky, airglow"},
+      {{"--layers", "stars,moonbase"}, "stars, planets, milky-way, moon, sun, sky, airglow"},
+      {{"--layers", "stars,"}, "stars, planets, milky-way, moon, sun, sky, airglow"},
       {{"--seed", "-1"}, "0 to 18446744073709551615"},
       {{"--time-scale", "gps"}, "utc, ut1, tt"},
       {{"--time", "2026-02-30"}, "month 2 has no day 30"},
@@ -139,15 +139,32 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
 TEST_F(SceneOptionsTest, TheAirIsTheStandardAtmospheresUnlessGiven) {
   // US Standard Atmosphere 1976 at 2 km: 795.01 hPa, 275.154 K.
   const std::vector<std::string> place{"--latitude", "28", "--longitude", "-17", "--height", "2000"};
-  const Refraction standard = refraction_of(resolve(place));
+  const Refraction standard = sky_state_of(resolve(place)).refraction;
   EXPECT_EQ(standard.model, RefractionModel::traced);
   EXPECT_NEAR(standard.conditions.pressure_hpa, 795.01, 0.1);
   EXPECT_NEAR(standard.conditions.temperature_c, 2.004, 0.01);
   EXPECT_EQ(standard.conditions.height.to(metre), 2000.0);
-  const Refraction given = refraction_of(resolve({"--pressure", "780.5", "--temperature", "-7", "--tier", "cheap"}));
+  const Refraction given =
+      sky_state_of(resolve({"--pressure", "780.5", "--temperature", "-7", "--tier", "cheap"})).refraction;
   EXPECT_EQ(given.model, RefractionModel::published);
   EXPECT_EQ(given.conditions.pressure_hpa, 780.5);
   EXPECT_EQ(given.conditions.temperature_c, -7.0);
+}
+
+TEST_F(SceneOptionsTest, TheEclipsedMoonIsLitThroughTheSceneAir) {
+  const std::vector<std::string> total{"--time", "2010-12-21T08:17:00Z"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), total.begin(), total.end());
+    return sky_state_of(resolve(more)).eclipse_air;
+  };
+  EXPECT_EQ(with({}).danjon, 2.5);
+  EXPECT_EQ(with({"--danjon", "0.5"}).danjon, 0.5);
+  EXPECT_FALSE(with({}).light); // the built-in map's
+  const SceneOptions other = resolve({"--medium", "published", "--time", "2010-12-21T08:17:00Z"});
+  const EclipseAir air = sky_state_of(other).eclipse_air;
+  ASSERT_TRUE(air.light);
+  EXPECT_EQ(air.light, sky_state_of(other).eclipse_air.light) << "made once for a medium";
+  EXPECT_FALSE(sky_state_of(resolve({"--medium", "published", "--time", "2010-12-14"})).eclipse_air.light);
 }
 
 TEST_F(SceneOptionsTest, TheMediumIsClearAirUnlessGiven) {

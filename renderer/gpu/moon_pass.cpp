@@ -1,0 +1,155 @@
+#include "vesper/gpu/moon_pass.hpp"
+
+#include "vesper/astro/constants.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <epoxy/gl.h>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vesper::gpu {
+namespace {
+
+/// shaders/moon_block.glsl in std140.
+struct MoonBlock {
+  std::array<std::array<float, 4>, 3> fixed_from_disc;
+  std::array<float, 4> to_sun;
+  std::array<float, 4> to_earth;
+  std::array<float, 4> sunlit;
+  std::array<float, 4> earthlit;
+  std::array<float, 4> sun_law;
+  std::array<float, 4> earth_law;
+  float sun_radius_rad;
+  std::array<float, 3> padding;
+  std::array<float, 4> from_earth_km;
+  f32::EarthShadow shadow;
+  std::array<float, 2> more_padding;
+  f32::LunarEclipseFrame eclipse;
+  std::array<float, 3> last_padding;
+  float map_level;
+  std::array<float, 3> end;
+};
+static_assert(offsetof(MoonBlock, from_earth_km) == 160 && sizeof(f32::EarthShadow) == 24 &&
+              offsetof(MoonBlock, eclipse) == 208 && sizeof(f32::LunarEclipseFrame) == 36 &&
+              offsetof(MoonBlock, map_level) == 256 && sizeof(MoonBlock) == 272);
+
+template <class V> std::array<float, 4> vector_of(const V& v) {
+  std::array<float, 4> result{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(V::length()); ++i) {
+    result.at(i) = static_cast<float>(v[static_cast<int>(i)]);
+  }
+  return result;
+}
+
+/// The mipmap whose texels are as wide as the cells at the disc's middle: one for all of it. Towards the limb cells
+/// reach ever further over the sphere, but relief must not be smoothed away there: its mean light is not that of its
+/// mean.
+double map_level(const PlannedMoon& moon) {
+  const double cell = std::min(2.0 / std::max(moon.picture.width_px, 1.0), 1.0 / moon.picture.cells_of_radius);
+  return std::max(std::log2(0.5 * moon.globe->map.face_size * cell), 0.0);
+}
+
+MoonBlock block_of(const PlannedMoon& moon) {
+  const f64::MoonLighting& light = moon.disc.lighting;
+  const auto law = [](const f64::LunarLaw& from) { return vector_of(Vec2(from.seeliger, from.lambert)); };
+  MoonBlock block{};
+  for (std::size_t column = 0; column < 3; ++column) {
+    block.fixed_from_disc.at(column) = vector_of(moon.fixed_from_disc[static_cast<int>(column)]);
+  }
+  block.to_sun = vector_of(light.to_sun);
+  block.to_earth = vector_of(light.to_earth);
+  block.sunlit = vector_of(light.sunlit);
+  block.earthlit = vector_of(light.earthlit);
+  block.sun_law = law(light.sun_law);
+  block.earth_law = law(light.earth_law);
+  block.sun_radius_rad = static_cast<float>(light.sun_radius_rad);
+  block.from_earth_km = vector_of(Vec4(moon.from_earth_km, moon_mean_radius.to(kilometre)));
+  block.shadow = {f32::vec3(moon.shadow.axis), static_cast<float>(moon.shadow.sun_distance_km),
+                  static_cast<float>(moon.shadow.sun_radius_km), static_cast<float>(moon.shadow.edge_radius_km)};
+  const f64::LunarEclipseFrame& frame = moon.eclipse.frame;
+  block.eclipse = {frame.kind,
+                   frame.inner,
+                   frame.outer,
+                   frame.rows,
+                   static_cast<float>(frame.first_km),
+                   static_cast<float>(frame.rows_per_km),
+                   static_cast<float>(frame.edge_km),
+                   static_cast<float>(frame.clear_km),
+                   static_cast<float>(frame.width_km)};
+  block.map_level = static_cast<float>(map_level(moon));
+  return block;
+}
+
+/// OpenGL lays a cube's faces out as OpenEXR does, but left-handed: with the third axis turned round.
+Texture cube_of(const MoonMap& map) {
+  constexpr std::array<GLint, 6> face_of_opengl{0, 1, 2, 3, 5, 4};
+  Texture texture = make_cube_texture(map.face_size);
+  const std::size_t face_floats =
+      std::size_t{4} * static_cast<std::size_t>(map.face_size) * static_cast<std::size_t>(map.face_size);
+  for (std::size_t face = 0; face < face_of_opengl.size(); ++face) {
+    glTextureSubImage3D(texture.name(), 0, 0, 0, face_of_opengl.at(face), map.face_size, map.face_size, 1, GL_RGBA,
+                        GL_FLOAT, &map.texels[face * face_floats]);
+  }
+  glGenerateTextureMipmap(texture.name());
+  require_no_error("copying the Moon's map");
+  return texture;
+}
+
+/// The published map has no table.
+Texture table_of(const LunarEclipseTable& eclipse) {
+  std::vector<float> rgba(4, 0.0F);
+  if (!eclipse.texels.empty()) {
+    rgba.clear();
+    for (const Vec4& texel : eclipse.texels) {
+      for (int channel = 0; channel < 4; ++channel) {
+        rgba.push_back(static_cast<float>(texel[channel]));
+      }
+    }
+  }
+  return make_table_texture(eclipse.texels.empty() ? 1 : eclipse.width(), rgba);
+}
+
+} // namespace
+
+MoonPass::MoonPass(const ShaderLibrary& library)
+    : disc_(library, "moon.frag"), point_(library), uniforms_(make_dynamic_buffer(sizeof(MoonBlock))) {}
+
+void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan, MoonShading shading) {
+  const PlannedMoon& moon = *plan.moon;
+  is_point_ = moon.picture.point.has_value();
+  if (is_point_) {
+    point_.place(*moon.picture.point, sky, view, plan);
+    return;
+  }
+  if (globe_ != moon.globe) {
+    map_ = cube_of(moon.globe->map);
+    globe_ = moon.globe;
+  }
+  std::vector<std::string> defines;
+  if (shading == MoonShading::lambert) {
+    defines.emplace_back("LAMBERT");
+  } else if (moon.eclipse.frame.kind != f64::lunar_eclipse_none) {
+    defines.emplace_back("ECLIPSE");
+    eclipse_ = table_of(moon.eclipse);
+  }
+  disc_.prepare(moon.picture, view, plan, defines);
+  const MoonBlock block = block_of(moon);
+  update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
+}
+
+void MoonPass::draw(const Strip& strip) {
+  if (is_point_) {
+    point_.draw(strip);
+    return;
+  }
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
+  glBindTextureUnit(2, map_.name());
+  glBindTextureUnit(3, eclipse_.name());
+  disc_.draw(strip);
+}
+
+} // namespace vesper::gpu

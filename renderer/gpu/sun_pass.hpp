@@ -1,0 +1,32 @@
+// The Sun.
+#pragma once
+
+#include "vesper/gpu/disc_pass.hpp"
+#include "vesper/gpu/frame.hpp"
+#include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/point_pass.hpp"
+#include "vesper/plan/frame_plan.hpp"
+#include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
+
+namespace vesper::gpu {
+
+class SunPass {
+public:
+  /// The library must outlive the pass.
+  explicit SunPass(const ShaderLibrary& library);
+
+  /// Makes a frame's Sun ready, whose plan has one.
+  void prepare(const SkyState& sky, const View& view, const FramePlan& plan);
+
+  /// Draws disc and corona, without what the Moon hides of them, over what the bound framebuffer holds.
+  void draw(const Strip& strip);
+
+private:
+  DiscPass disc_;
+  PointPass point_;
+  Buffer uniforms_;
+  bool is_point_ = false;
+};
+
+} // namespace vesper::gpu

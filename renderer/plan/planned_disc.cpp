@@ -1,0 +1,148 @@
+#include "vesper/plan/planned_disc.hpp"
+
+#include "vesper/astro/constants.hpp"
+#include "vesper/base/error.hpp"
+#include "vesper/light/response_functions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace vesper {
+namespace {
+
+Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
+
+void require_scale(double scale, const char* whose) {
+  if (!(scale >= 1.0 && scale <= largest_disc_scale)) {
+    throw Error(ErrorKind::argument, fmt::format("a scale of {} for the {}", scale, whose),
+                {"", "", fmt::format("Give 1 to {:.0f}", largest_disc_scale)});
+  }
+}
+
+/// Whether the uppermost of a circle is below the ground.
+bool is_hidden(const SkyCircle& circle, const DiscScene& scene) {
+  if (!scene.ground_sin_altitude) {
+    return false;
+  }
+  const Mat3 axes = horizon_from_disc(circle.direction);
+  const double sine = std::min(circle.scale * std::sin(circle.radius.to(rad)), 1.0);
+  const Vec3 top = sine * axes[1] + std::sqrt(1.0 - sine * sine) * axes[2];
+  constexpr double room = 1.0e-3; // rad: half a pixel at the horizon, from pictures of 3000 pixels on
+  return apparent_direction(top, scene.refraction).z < *scene.ground_sin_altitude - room &&
+         apparent_direction(circle.direction, scene.refraction).z < *scene.ground_sin_altitude - room;
+}
+
+/// A disc as its light seen in the centre of it.
+PointLight point_of(const Vec3& direction, const Vec4& light, double flattening, const DiscScene& scene) {
+  const Vec3 seen = apparent_direction(direction, scene.refraction);
+  return {seen, flattening * light * scene.air(seen.z, light)};
+}
+
+/// The direction in which the Moon's light has its centre.
+Vec3 centre_of_light(const PlannedMoon& moon, double scale) {
+  const f32::MoonLighting lighting = in_single(moon.disc.lighting);
+  const double distance = 1.0 / std::sin(moon.disc.angular_radius.to(rad));
+  const f32::vec3 observer(distance * moon.disc.to_observer);
+  Vec3 weighted(0.0);
+  double sum = 0.0;
+  for (const MoonSample& sample : moon.globe->samples) {
+    const f32::vec3 to_observer = glm::normalize(observer - sample.normal);
+    const float share = sample.solid_angle * glm::dot(sample.normal, to_observer);
+    if (share > 0.0F) {
+      const auto light = static_cast<double>(
+          share *
+          f32::moon_luminance(sample.albedo, sample.normal, sample.relief, to_observer, lighting, f32::vec4(1.0F)).y);
+      weighted += light * Vec3(sample.normal);
+      sum += light;
+    }
+  }
+  const Vec3 in_moon = glm::transpose(moon.disc.moon_fixed_from_horizon) * (weighted / std::max(sum, 1.0e-300));
+  return glm::normalize(distance * moon.disc.direction + scale * in_moon);
+}
+
+} // namespace
+
+std::shared_ptr<const MoonGlobe> make_moon_globe(MoonMap map) {
+  MoonSamples samples = sample_moon(map);
+  return std::make_shared<const MoonGlobe>(MoonGlobe{std::move(map), std::move(samples)});
+}
+
+std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& options) {
+  require_scale(options.moon_scale, "Moon");
+  const auto globe = options.moon != nullptr ? options.moon : default_moon_globe();
+  const auto& moon = scene.sky.moon.place;
+  const SkyCircle circle{moon.direction_horizon, std::asin(moon_mean_radius / moon.distance) * rad, options.moon_scale};
+  if (is_hidden(circle, scene)) {
+    return std::nullopt;
+  }
+  std::vector<PixelBox> boxes = disc_boxes(circle, scene.view, scene.refraction);
+  if (boxes.empty()) {
+    return std::nullopt;
+  }
+  const MoonDisc disc = moon_disc(scene.sky, globe->samples, scene.sky.tier);
+  const Mat3 fixed_from_disc = disc.moon_fixed_from_horizon * horizon_from_disc(circle.direction);
+  const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
+  const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
+  PlannedMoon planned{
+      {},
+      disc,
+      fixed_from_disc,
+      globe,
+      lunar_eclipse_table(eclipse, moon_illumination(scene.sky).sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
+      earth_shadow(eclipse, fixed_from_icrs),
+      fixed_from_icrs * eclipse.moon_km};
+  planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
+  planned.picture.boxes = std::move(boxes);
+  planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
+  // A crescent is cut as its width asks for.
+  const double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
+  planned.picture.cells_of_radius = std::clamp(12.0 / std::max(lit_width, 1.0e-3), 20.0, 64.0);
+  const double width = planned.picture.width_px;
+  if (width > 0.0 && width < narrowest_disc_px) {
+    planned.picture.point = point_of(centre_of_light(planned, options.moon_scale), vector_of(planned.disc.illuminance),
+                                     planned.picture.frame.flattening, scene);
+  }
+  return planned;
+}
+
+std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& options) {
+  require_scale(options.sun_scale, "Sun");
+  const SunDisc disc = sun_disc(scene.sky, options.sun);
+  const SkyCircle circle{disc.direction, disc.angular_radius, options.sun_scale};
+  const double obscuration = scene.sky.solar_eclipse.obscuration;
+  constexpr double outshone = 0.95; // by what is left of the disc
+  const bool corona = !scene.bright_sky || obscuration > outshone;
+  SkyCircle shown = circle;
+  if (corona) {
+    const double reach = std::min(f64::corona_edge * options.sun_scale * std::sin(circle.radius.to(rad)), 0.9);
+    shown = {circle.direction, std::asin(reach) * rad, 1.0};
+  }
+  if (is_hidden(shown, scene)) {
+    return std::nullopt;
+  }
+  std::vector<PixelBox> boxes = disc_boxes(shown, scene.view, scene.refraction);
+  if (boxes.empty()) {
+    return std::nullopt;
+  }
+  PlannedSun planned{{}, disc, corona, Vec4(0.0), Vec4(0.0)};
+  planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
+  planned.picture.boxes = std::move(boxes);
+  planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
+  const Mat3 axes = horizon_from_disc(circle.direction);
+  planned.turn = {glm::dot(disc.shading.aside, axes[0]), glm::dot(disc.shading.aside, axes[1]),
+                  glm::dot(disc.shading.upward, axes[0]), glm::dot(disc.shading.upward, axes[1])};
+  const Vec3 moon = glm::transpose(axes) * disc.shading.moon_direction;
+  if (moon.z > 0.0) {
+    planned.moon = Vec4(moon, disc.shading.moon_chord * options.moon_scale);
+  }
+  const double width = planned.picture.width_px;
+  if (!corona && width > 0.0 && width < narrowest_disc_px) {
+    const Vec4 light =
+        vector_of(integrate_xyzs(filtered(disc.irradiance, sunlight_past_moon(scene.sky.solar_eclipse))));
+    planned.picture.point = point_of(disc.direction, light, planned.picture.frame.flattening, scene);
+  }
+  return planned;
+}
+
+} // namespace vesper

@@ -1,0 +1,116 @@
+// Cost of the Moon pass against the same sphere and map under a law of cosines, both in one run and frame by frame in
+// turn; and of a Moon a few pixels wide against one bright star.
+#include "vesper/gpu/headless_context.hpp"
+#include "vesper/gpu/renderer.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace vesper {
+namespace {
+
+double moon_pass_ms(const gpu::Frame& frame, const char* pass) {
+  for (const gpu::PassTiming& timing : frame.timings) {
+    if (timing.name == pass) {
+      return timing.milliseconds;
+    }
+  }
+  return 0.0;
+}
+
+double middle_of(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+/// The Moon of an instant in the middle of the picture.
+struct MoonScene {
+  SkyState sky;
+  View view;
+  FrameOptions options;
+
+  MoonScene(const char* stamp, double fov_deg, int side)
+      : sky(sky_state(parse_instant(stamp), {50.0 * deg, 10.0 * deg, 100.0 * metre})) {
+    view.projection = Projection::perspective;
+    view.fov = fov_deg * deg;
+    view.azimuth = sky.moon.place.azimuth;
+    view.altitude = sky.moon.place.altitude;
+    view.width = view.height = side;
+    options.layers.reset().set(static_cast<std::size_t>(Layer::moon));
+  }
+};
+
+void moon_pass(benchmark::State& state, const char* stamp, double fov_deg, int side) {
+  const gpu::HeadlessContext context;
+  const gpu::ShaderLibrary shaders;
+  gpu::Renderer renderer(shaders);
+  const MoonScene scene(stamp, fov_deg, side);
+  const FramePlan plan = plan_frame(scene.sky, scene.view, {}, scene.options);
+  const auto ms = [&](gpu::MoonShading shading) {
+    return moon_pass_ms(
+        renderer.render(scene.sky, scene.view, plan, {.xyzs = false, .timings = true, .moon_shading = shading}),
+        "moon");
+  };
+  // The first frame of each compiles its program.
+  static_cast<void>(ms(gpu::MoonShading::surface));
+  static_cast<void>(ms(gpu::MoonShading::lambert));
+  std::vector<double> surface;
+  std::vector<double> lambert;
+  for (auto _ : state) {
+    surface.push_back(ms(gpu::MoonShading::surface));
+    lambert.push_back(ms(gpu::MoonShading::lambert));
+  }
+  state.SetLabel(context.description());
+  state.counters["moon_ms"] = middle_of(surface);
+  state.counters["lambert_ms"] = middle_of(lambert);
+  state.counters["ratio"] = middle_of(surface) / middle_of(lambert);
+}
+
+BENCHMARK_CAPTURE(moon_pass, full, "2026-05-01T23:00:00Z", 0.6, 1024)->Iterations(30);
+BENCHMARK_CAPTURE(moon_pass, crescent, "2026-05-19T20:00:00Z", 0.6, 1024)->Iterations(30);
+BENCHMARK_CAPTURE(moon_pass, eclipsed, "2025-09-07T18:30:00Z", 0.6, 1024)->Iterations(30);
+BENCHMARK_CAPTURE(moon_pass, narrow, "2026-05-01T23:00:00Z", 10.0, 1024)->Iterations(60);
+
+/// A Moon too narrow for a disc, and wider ones, against one star as bright as stars get.
+void few_pixels(benchmark::State& state, double pixels) {
+  const gpu::HeadlessContext context;
+  const gpu::ShaderLibrary shaders;
+  gpu::Renderer renderer(shaders);
+  MoonScene scene("2026-05-01T23:00:00Z", 0.53 * 512.0 / pixels, 512);
+  const FramePlan moon = plan_frame(scene.sky, scene.view, {}, scene.options);
+  StarCatalogue catalogue;
+  StarRecord star{};
+  const Vec3 at = glm::transpose(scene.sky.stars.horizon_from_icrs) * scene.sky.moon.place.direction_horizon;
+  star.position = {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.z)};
+  star.illuminance = 1.0e-5F;
+  star.color = {1.0F, 1.0F, 1.0F, 2.0F};
+  catalogue.stars.push_back(star);
+  catalogue.identities.resize(1);
+  renderer.load(catalogue);
+  scene.options.layers.reset().set(static_cast<std::size_t>(Layer::stars));
+  const FramePlan one_star = plan_frame(scene.sky, scene.view, catalogue.stars, scene.options);
+  const auto ms = [&](const FramePlan& plan, const char* pass) {
+    return moon_pass_ms(renderer.render(scene.sky, scene.view, plan, {.xyzs = false, .timings = true}), pass);
+  };
+  static_cast<void>(ms(moon, "moon"));
+  static_cast<void>(ms(one_star, "stars"));
+  std::vector<double> moons;
+  std::vector<double> stars;
+  for (auto _ : state) {
+    moons.push_back(ms(moon, "moon"));
+    stars.push_back(ms(one_star, "stars"));
+  }
+  state.counters["moon_ms"] = middle_of(moons);
+  state.counters["star_ms"] = middle_of(stars);
+  state.counters["ratio"] = middle_of(moons) / middle_of(stars);
+}
+
+BENCHMARK_CAPTURE(few_pixels, two, 2.0)->Iterations(60);
+BENCHMARK_CAPTURE(few_pixels, four, 4.0)->Iterations(60);
+BENCHMARK_CAPTURE(few_pixels, eight, 8.0)->Iterations(60);
+
+} // namespace
+} // namespace vesper

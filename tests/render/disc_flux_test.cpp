@@ -1,0 +1,102 @@
+// The light of Moon and Sun is conserved: their pixels' luminance times solid angle sums to the illuminance that the
+// sky was lit with, in any projection, field and place between the pixels.
+#include "render/render_fixture.hpp"
+#include "support/moon_relief.hpp"
+#include "support/truth.hpp"
+#include "support/turned_sky.hpp"
+
+#include "vesper/sky/moon_illumination.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace vesper::test {
+namespace {
+
+enum class Body { moon, sun };
+
+struct DiscCase {
+  Projection projection;
+  double fov_deg;
+  int size;
+};
+
+class DiscFlux : public RenderTest {
+protected:
+  DiscFlux() {
+    options = bare_stars();
+    options.layers.reset();
+    options.discs.moon = make_moon_globe(map_of(waved_surface, 128));
+  }
+
+  /// The sum over a picture in Y against what the body gives above the air.
+  double light_of(Body body, const SkyState& sky, const View& view) {
+    options.layers.reset().set(static_cast<std::size_t>(body == Body::moon ? Layer::moon : Layer::sun));
+    const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, {}, options));
+    return illuminance_in(frame, view, 0, 0, view.width, view.height);
+  }
+
+  /// Errors at several places of a body between the pixels and about the picture.
+  ErrorSum errors(Body body, const SkyState& sky, const DiscCase& of, int count) {
+    View view;
+    view.projection = of.projection;
+    view.fov = of.fov_deg * deg;
+    view.width = of.size;
+    view.height = of.projection == Projection::equirectangular ? of.size / 2
+                  : of.projection == Projection::cubemap       ? 6 * of.size
+                                                               : of.size;
+    view.altitude = 31.0 * deg;
+    view.azimuth = 120.0 * deg;
+    view.roll = 7.0 * deg;
+    const Xyzs light =
+        body == Body::moon ? integrate_xyzs(moonlight_of(sky)) : integrate_xyzs(sun_disc(sky).irradiance);
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::normal_distribution<double> normal;
+    ErrorSum sum;
+    const bool sphere = of.projection == Projection::equirectangular || of.projection == Projection::cubemap;
+    for (int i = 0; i < count; ++i) {
+      Vec3 at = glm::normalize(Vec3(normal(random), normal(random), normal(random)));
+      if (!sphere) {
+        // Near the middle, with all of the disc in the picture.
+        const double free = std::max(0.5 * of.fov_deg - 0.3, 0.0) / of.fov_deg * of.size * 0.6;
+        at = direction_at(view, Vec2(0.5 * of.size) + free * Vec2(2.0 * unit(random) - 1.0, 2.0 * unit(random) - 1.0));
+      }
+      const SkyState there = body == Body::moon ? with_moon_at(sky, at) : with_sun_at(sky, at);
+      sum.add(light_of(body, there, view) / light.y - 1.0);
+    }
+    return sum;
+  }
+
+  void hold(Body body, const char* name, const SkyState& sky, double limit) {
+    for (const DiscCase& of : std::initializer_list<DiscCase>{{Projection::perspective, 0.6, 160},
+                                                              {Projection::perspective, 2.0, 64},
+                                                              {Projection::perspective, 10.0, 100},
+                                                              {Projection::perspective, 60.0, 400},
+                                                              {Projection::fisheye, 180.0, 800},
+                                                              {Projection::fisheye, 180.0, 64},
+                                                              {Projection::stereographic, 2.0, 128},
+                                                              {Projection::equirectangular, 0.0, 1600},
+                                                              {Projection::cubemap, 0.0, 400},
+                                                              {Projection::cubemap, 0.0, 60}}) {
+      const std::string what = std::string("light of the ") + name + ", " +
+                               std::string(projection_names()[static_cast<std::size_t>(of.projection)]) + " " +
+                               (of.fov_deg > 0.0 ? std::to_string(of.fov_deg).substr(0, 5) + " deg, " : "") +
+                               std::to_string(of.size) + " px";
+      errors(body, sky, of, of.size >= 400 ? 2 : 4).hold(what, limit, "of it");
+    }
+  }
+
+  FrameOptions options;
+};
+
+SkyState sky_at(const char* stamp) { return sky_state(parse_instant(stamp), {50.0 * deg, 10.0 * deg, 100.0 * metre}); }
+
+TEST_F(DiscFlux, FullMoon) { hold(Body::moon, "full Moon", sky_at("2026-05-01T20:00:00Z"), 5.0e-3); }
+TEST_F(DiscFlux, QuarterMoon) { hold(Body::moon, "first quarter", sky_at("2026-05-23T20:00:00Z"), 5.0e-3); }
+TEST_F(DiscFlux, CrescentMoon) { hold(Body::moon, "crescent", sky_at("2026-05-19T20:00:00Z"), 5.0e-3); }
+TEST_F(DiscFlux, Sun) { hold(Body::sun, "Sun", sky_at("2026-05-19T10:00:00Z"), 5.0e-3); }
+
+} // namespace
+} // namespace vesper::test
