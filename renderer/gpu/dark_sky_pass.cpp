@@ -65,7 +65,7 @@ void DarkSkyPass::prepare_beyond(const View& view, const FramePlan& plan) {
   if (!zodiacal_) {
     zodiacal_ = smooth_texture(ZodiacalMap::columns, zodiacal_map().texels);
   }
-  extinction_.update(plan);
+  extinction_.update(plan.extinction);
   const DarkSky& sources = dark.sources;
   set_matrix(*beyond_, 5, sources.helioecliptic_from_horizon);
   set_matrix(*beyond_, 6, sources.galactic_from_horizon);

@@ -250,6 +250,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "medium"     ? "\"published\""
              : option.name == "sky"        ? "\"tables\""
              : option.name == "solar-flux" ? "107"
+             : option.name == "danjon"     ? "3"
              : option.name == "sky-glow"   ? "0.007"
                                            : "7") +
             "\n";
