@@ -46,6 +46,8 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"
 #include "lib/sky_to_point.glsl"
+#include "lib/sun.glsl"
+#include "lib/dark_sky.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler1D table; // of refraction
 layout(binding = 1) uniform sampler2D extinction_table;
@@ -216,6 +218,23 @@ std::vector<FunctionCase> function_cases() {
        {2, 2, 2, 2},
        6,
        1.0e-5F},
+      {"airglow_paths",
+       "vec4(airglow_paths(v.x, v.y, 6371.0), 0, 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::airglow_paths(v.x, v.y, 6371.0F), 0, 0); },
+       {-1, 0, 0, 0},
+       {1, 400, 0, 0},
+       81,
+       1.0e-3F},
+      {"zodiacal light and faint stars",
+       "vec4(zodiacal_place(normalize(v.xyz)), log2(dust_law(normalize(v.xyz))), starlight_s10(normalize(v.xyz)))",
+       [](const glm::vec4& v) {
+         const glm::vec3 at = glm::normalize(glm::vec3(v));
+         return glm::vec4(f32::zodiacal_place(at), std::log2(f32::dust_law(at)), f32::starlight_s10(at));
+       },
+       {-1, -0.9F, -0.8F, 0},
+       {1, 1, 1, 0},
+       22,
+       1.0e-4F},
       {"phase functions",
        "vec4(rayleigh_phase(v.x, v.z), henyey_greenstein_phase(v.x, v.y), cornette_shanks_phase(v.x, v.y), "
        "schlick_phase(v.x, v.y))",
