@@ -25,3 +25,4 @@
 #endif
 #define fetch_light(table, i) texelFetch(table, LIGHT_TEXEL(i))
 #define fetch_real(table, i) texelFetch(table, i).x
+CONSTANT Real pi = 3.141592653589793;

@@ -63,7 +63,7 @@ Row row_of(int number, SkyTableFrame frame) {
   // The horizon that is seen falls on that of straight rays, zenith and nadir on themselves.
   float horizon = sky_arc_sine(block.sin_horizon);
   float dip = sky_dip(block.height_km, frame);
-  float quarter = 0.5 * sky_half_turn;
+  float quarter = 0.5 * pi;
   row.turn_rad = 0.0;
   row.height_km = block.height_km;
 #ifdef OUTSIDE
@@ -91,7 +91,7 @@ Row row_of(int number, SkyTableFrame frame) {
     float root = sqrt(max(rise * rise - row.height_km * (2.0 * frame.ground_km + row.height_km), 0.0));
     row.ground_turn_rad = -atan(root, (frame.ground_km + row.height_km) * cos(row.altitude_rad)) - row.altitude_rad;
     row.ground_share =
-        block.albedo / sky_half_turn *
+        block.albedo / pi *
         exp2(sky_ground_view_log2(transmittance, row.height_km, row.altitude_rad, transmittance_frame(), frame));
   }
   return row;
@@ -120,7 +120,7 @@ void row_log2(float light_altitude, float cos_azimuth, SkyTableFrame frame, out 
   aerosol = vec4(0.0);
   float all = 0.0;
   for (int k = 0; k < sky_azimuths; ++k) {
-    float apart = cos_azimuth - cos(sky_half_turn * float(k) / float(sky_azimuths - 1));
+    float apart = cos_azimuth - cos(pi * float(k) / float(sky_azimuths - 1));
     float share = (k == 0 || k == sky_azimuths - 1 ? 0.5 : 1.0) / (abs(apart) < 1.0e-6 ? 1.0e-6 : apart);
     share = k % 2 == 0 ? share : -share;
     all += share;

@@ -35,7 +35,7 @@ void main() {
     bool below = row < frame.views_below;
     vec4 other;
     vec4 aerosol;
-    small_sky_log2(block.height_km, view, below, altitude, cos(sky_half_turn * float(m) / float(sky_azimuths - 1)),
+    small_sky_log2(block.height_km, view, below, altitude, cos(pi * float(m) / float(sky_azimuths - 1)),
                    sky_path_share(block.height_km, view, below, frame), other, aerosol);
     nodes[gl_LocalInvocationID.y][m] = slice % 2 == 0 ? other : aerosol;
 #else

@@ -125,8 +125,6 @@ std::string_view name_of(SkyModel model) {
   return "reference";
 }
 
-Vec4 to_vec4(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
-
 double altitude_deg(const Vec3& direction) { return latitude_of(direction).to(deg); }
 double azimuth_deg(const Vec3& direction) { return whole_turn_atan2(direction.x, direction.y).to(deg); }
 
@@ -178,11 +176,11 @@ SkyResults sky_results(const SkyRequest& request, const SkyTables& tables) {
       const Vec3 direction = point.sun && light.name == "sun" ? point.sun->direction() : light.direction;
       luminance +=
           matrix *
-          to_vec4(sky_luminance(tables, {request.height, direction, light.angular_radius, point.place.direction()}));
+          vector_of(sky_luminance(tables, {request.height, direction, light.angular_radius, point.place.direction()}));
       if (request.illuminance) {
         const Angle altitude = latitude_of(direction);
-        direct += (matrix * to_vec4(direct_illuminance(tables, request.height, altitude, light.angular_radius))).y;
-        diffuse += (matrix * to_vec4(diffuse_illuminance(tables, request.height, altitude))).y;
+        direct += (matrix * vector_of(direct_illuminance(tables, request.height, altitude, light.angular_radius))).y;
+        diffuse += (matrix * vector_of(diffuse_illuminance(tables, request.height, altitude))).y;
       }
     }
     std::vector<double> values{luminance.y, luminance.x, luminance.z, luminance.w};

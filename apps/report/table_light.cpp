@@ -11,9 +11,7 @@ namespace {
 
 SourceLight source_light(const SkyTables& tables, Length height, const SkyLight& light) {
   const Mat4 matrix = from_table_light(light);
-  const auto lux_or_cd_m2 = [&](const Xyzs& of_table) {
-    return (matrix * Vec4(of_table.x, of_table.y, of_table.z, of_table.s)).y;
-  };
+  const auto lux_or_cd_m2 = [&](const Xyzs& of_table) { return (matrix * vector_of(of_table)).y; };
   const Angle altitude = latitude_of(light.direction);
   return {lux_or_cd_m2(direct_illuminance(tables, height, altitude, light.angular_radius)),
           lux_or_cd_m2(diffuse_illuminance(tables, height, altitude)),

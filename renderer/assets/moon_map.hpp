@@ -59,7 +59,8 @@ void write_moon_map(const std::filesystem::path& path, const MoonMap& map);
 /// Reads what write_moon_map writes. Throws Error(file), and Error(input) naming the channel or texel at fault for
 /// another picture, another shape, numbers that are not finite, and albedos and normals that break a rule above.
 [[nodiscard]] MoonMap read_moon_map(const std::filesystem::path& path);
-/// The same from a file in memory. \param name the file's name in messages
+/// The same from a file in memory.
+/// \param name the file's name in messages
 [[nodiscard]] MoonMap decode_moon_map(std::span<const std::byte> bytes, const std::string& name);
 
 /// The map that is built into the library (data/moon.exr, 256 texels a face), decoded at the first call.

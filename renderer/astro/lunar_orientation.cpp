@@ -108,4 +108,6 @@ Mat3 moon_fixed_from_icrs(JulianDate<TDB> tdb, Tier tier) {
 
 Selenographic selenographic_of(const Vec3& v) { return {std::atan2(v.y, v.x) * rad, latitude_of(v)}; }
 
+Vec3 direction_of(const Selenographic& place) { return unit_vector(place.longitude.to(rad), place.latitude.to(rad)); }
+
 } // namespace vesper

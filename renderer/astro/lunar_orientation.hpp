@@ -32,5 +32,7 @@ struct Selenographic {
 };
 /// Where a vector of any length along ME axes points.
 [[nodiscard]] Selenographic selenographic_of(const Vec3& v);
+/// The unit vector along ME axes.
+[[nodiscard]] Vec3 direction_of(const Selenographic& place);
 
 } // namespace vesper

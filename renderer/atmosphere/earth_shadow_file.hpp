@@ -16,7 +16,8 @@ namespace vesper {
 
 [[nodiscard]] Bytes encode_earth_shadow_light(const EarthShadowLight& light);
 /// Throws Error(input) for bytes that are no such file, of another version, cut off or too long, and for numbers that
-/// no such map has. \param name of where the bytes come from, for errors
+/// no such map has.
+/// \param name of where the bytes come from, for errors
 [[nodiscard]] EarthShadowLight decode_earth_shadow_light(std::span<const std::byte> bytes, const std::string& name);
 
 /// Throws Error(file), too, where the file cannot be read.

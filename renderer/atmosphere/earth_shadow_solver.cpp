@@ -16,7 +16,8 @@ namespace {
 using std::numbers::pi;
 
 /// Integrals of the powers of mu, 0 to 5, over the angle of a circle about a point, inside the Sun's disc of radius 1.
-/// \param ring radius of the circle \param off distance of its centre from the Sun's, both >= 0
+/// \param ring radius of the circle
+/// \param off distance of its centre from the Sun's, both >= 0
 LimbSeries around(double ring, double off) {
   constexpr std::size_t nodes = 12;
   struct Rule {

@@ -139,7 +139,8 @@ Slices slices_of_small(const SkyTables& tables, float height_km, float light_rad
   }
   const auto slice = [&](f32::vec4 SkySources::*part) {
     return Slice(frame.views_above, [&](int row, int k) {
-      return log2_of(nodes[static_cast<std::size_t>(row * azimuths + k)].*part, sky_darkest_log2);
+      return log2_of(nodes[static_cast<std::size_t>(row) * azimuths + static_cast<std::size_t>(k)].*part,
+                     sky_darkest_log2);
     });
   };
   return {slice(&SkySources::other), slice(&SkySources::aerosol)};

@@ -12,8 +12,9 @@ namespace vesper {
 /// Of the Sun on the average, and of the Moon nearly: what is solved for all places of a light is solved for this disc.
 inline constexpr Angle mean_light_radius = 0.2666 * deg;
 
-/// Multiplies values, one for each wavelength, by the share of the light that reaches a place from outside the air: what
-/// another body's shadow leaves. Places are in km from the observer, along the query's axes. Called from several threads.
+/// Multiplies values, one for each wavelength, by the share of the light that reaches a place from outside the air:
+/// what another body's shadow leaves. Places are in km from the observer, along the query's axes. Called from several
+/// threads.
 using LightShare = std::function<void(const Vec3& place_km, std::span<double> values)>;
 
 /// Directions are unit vectors in a frame at the observer's place whose z axis points to the zenith; rays are straight.

@@ -104,7 +104,7 @@ SkyTables make_small_sky_tables(const Medium& medium) {
   for (int i = 0; i < tables.frame.lights; ++i) {
     const Angle light = static_cast<double>(f32::sky_node_light_rad(i, tables.frame)) * rad;
     const Xyzs level = diffuse_illuminance(tables, 0.0 * metre, light);
-    tables.ground.push_back(log2_of(f32::vec4(Vec4(level.x, level.y, level.z, level.s)), sky_darkest_log2));
+    tables.ground.push_back(log2_of(f32::vec4(vector_of(level)), sky_darkest_log2));
   }
   return tables;
 }

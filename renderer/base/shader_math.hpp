@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <numbers>
 #include <type_traits>
 
 #define CONSTANT inline constexpr

@@ -13,6 +13,7 @@ using PReal = Real;
 using PVec2 = vec2;
 using PVec3 = vec3;
 using PMat3 = mat3;
+CONSTANT Real pi = std::numbers::pi_v<Real>;
 
 using glm::abs;
 using glm::acos;

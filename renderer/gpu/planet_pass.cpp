@@ -27,8 +27,7 @@ Points points_of(const SkyState& sky, double faintest_lux) {
       continue;
     }
     const Xyzs& color = planet_light(planet).color;
-    points.catalogue.stars.push_back(
-        resting_star(state.place.direction_horizon, lux_above * Vec4(color.x, color.y, color.z, color.s)));
+    points.catalogue.stars.push_back(resting_star(state.place.direction_horizon, lux_above * vector_of(color)));
     points.catalogue.identities.push_back({planet_flag | static_cast<std::uint32_t>(i), 0, 0.0F, ""});
     points.disc_rad.push_back(static_cast<float>(state.appearance.diameter.to(rad)));
   }

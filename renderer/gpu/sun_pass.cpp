@@ -32,7 +32,7 @@ void SunPass::prepare(const SkyState& sky, const View& view, const FramePlan& pl
     return;
   }
   disc_.prepare(sun.picture, view, plan, sun.corona ? std::vector<std::string>{"CORONA"} : std::vector<std::string>{});
-  const SunBlock block{single_precision(sun.disc.shading), f32::vec4(sun.moon), f32::vec4(sun.turn)};
+  const SunBlock block{in_single(sun.disc.shading), f32::vec4(sun.moon), f32::vec4(sun.turn)};
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 

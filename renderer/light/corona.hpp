@@ -19,7 +19,9 @@ struct CoronaLight {
 };
 
 /// What is seen of it past another disc, from the Sun's limb to f64::corona_edge; 1.14e-6 and 0.23e-6 without one.
-/// The angles may be in any one unit. \param sun, other radii, positive \param separation of the centres, >= 0
+/// The angles may be in any one unit.
+/// \param sun, other radii, positive
+/// \param separation of the centres, >= 0
 [[nodiscard]] CoronaLight corona_seen(double sun, double other, double separation);
 
 } // namespace vesper

@@ -21,14 +21,15 @@ enum class EarthPhaseLaw {
 
 /// Light of the whole Earth at a phase, against that at full phase. Measured: 10^(-0.4 (-1.060e-3 a + 2.054e-4 a^2)), a
 /// in degrees (Mallama and Hilton 2018, Astronomy and Computing 25, 10, eq. 5), observed to 170 degrees; at 180, where
-/// the air's rim is left, 0.003. Polynomial: within
-/// 2 % of it to 30 degrees, 1.6 times as much at 90, 2.2 times at 130, and 0 from 158 degrees, where it turns negative.
+/// the air's rim is left, 0.003. Polynomial: within 2 % of it to 30 degrees, 1.6 times as much at 90, 2.2 times at 130,
+/// and 0 from 158 degrees, where it turns negative.
 /// \param earth_phase Sun-Earth-Moon, 0 to 180 degrees. Throws Error(argument) otherwise.
 [[nodiscard]] double earth_phase_light(Angle earth_phase, EarthPhaseLaw law = EarthPhaseLaw::measured);
 
 /// The Earth's spectral irradiance on the Moon as a share of the Sun's on the Earth, by wavelength: 1.19e-4 in V from
 /// the full Earth at the mean distance.
-/// \param earth_phase Sun-Earth-Moon, 0 to 180 degrees \param distance between the centres, positive
+/// \param earth_phase Sun-Earth-Moon, 0 to 180 degrees
+/// \param distance between the centres, positive
 /// Throws Error(argument) for values out of these ranges.
 [[nodiscard]] Spectrum earthlight_share(Angle earth_phase, Length distance,
                                         EarthPhaseLaw law = EarthPhaseLaw::measured);
@@ -40,8 +41,9 @@ enum class EarthPhaseLaw {
 
 /// The phase angle that earthlight has for an observer on the Earth: the Earth is as wide as a lamp of its disc, so it
 /// is nowhere 0. For an even disc of that radius the root of mean squares of what is seen at `from_centre` and of 2/3
-/// of the radius, within 7 % of the mean angle. \param from_centre angle at the Moon between the observer and the
-/// Earth's centre \param radius of the Earth as seen from the Moon
+/// of the radius, within 7 % of the mean angle.
+/// \param from_centre angle at the Moon between the observer and the Earth's centre
+/// \param radius of the Earth as seen from the Moon
 [[nodiscard]] Angle earthlight_phase(Angle from_centre, Angle radius);
 
 } // namespace vesper

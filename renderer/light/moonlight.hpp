@@ -14,7 +14,8 @@ inline constexpr Length moon_mean_distance = 384400.0 * kilometre;
 /// stand in shaders/lib/moon_surface.glsl: -13.04 at 0 degrees, where the Earth's shadow lies, and -12.86 at 1.5,
 /// beside it. From 7 to 90 degrees it lies within 0.08 mag of the lunar irradiance model of Kieffer and Stone 2005.
 /// Beyond 150 degrees, the end of the measurements, a sphere darkens with its surface's law unchanged: +infinity at
-/// 180. \param phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
+/// 180.
+/// \param phase_angle 0 to 180 degrees. Throws Error(argument) otherwise.
 [[nodiscard]] double moon_v_magnitude(Angle phase_angle);
 
 /// The albedo of the Moon's near side, 350 to 850 nm, to a scale: the mean of Velikodsky et al. 2011 (Icarus 214, 30,

@@ -1,6 +1,7 @@
 // The response functions that every source is integrated against once: colour, night vision, and the V band.
 #pragma once
 
+#include "vesper/base/vector.hpp"
 #include "vesper/light/spectrum.hpp"
 
 namespace vesper {
@@ -13,6 +14,7 @@ struct Xyzs {
   double z = 0;
   double s = 0;
 };
+[[nodiscard]] inline Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
 
 /// CIE 1931 chromaticity.
 struct Chromaticity {

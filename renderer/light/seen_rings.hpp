@@ -19,7 +19,9 @@ struct SeenRings {
   std::array<Node, 48> crossed;
 };
 
-/// All lengths in one unit. \param radius of the disc, >= 0 \param distance of its centre from that of the rings, >= 0
+/// All lengths in one unit.
+/// \param radius of the disc, >= 0
+/// \param distance of its centre from that of the rings, >= 0
 /// \param inner, outer radii of the rings, 0 <= inner <= outer
 [[nodiscard]] SeenRings rings_past_disc(double radius, double distance, double inner, double outer);
 

@@ -70,6 +70,7 @@ PlannedEclipse eclipse_for(const SkyState& sky, const std::vector<SkyLight>& lig
 
 std::vector<PlannedLight> planned_lights(const std::vector<SkyLight>& lights, const Refraction& refraction) {
   std::vector<PlannedLight> planned;
+  planned.reserve(lights.size());
   for (const SkyLight& light : lights) {
     planned.push_back({light.direction, apparent_direction(light.direction, refraction), light.angular_radius,
                        integrate_xyzs(light.irradiance).y * response_matrix(solar_irradiance_1au(), light.irradiance)});

@@ -11,8 +11,6 @@
 namespace vesper {
 namespace {
 
-Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
-
 void require_scale(double scale, const char* whose) {
   if (!(scale >= 1.0 && scale <= largest_disc_scale)) {
     throw Error(ErrorKind::argument, fmt::format("a scale of {} for the {}", scale, whose),
@@ -70,8 +68,11 @@ std::shared_ptr<const MoonGlobe> make_moon_globe(MoonMap map) {
 
 std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& options) {
   require_scale(options.moon_scale, "Moon");
+  const BodyPlace& moon = scene.sky.moon.place;
+  if (!(moon.distance > moon_mean_radius)) {
+    return std::nullopt; // a sky of stars alone
+  }
   const auto globe = options.moon != nullptr ? options.moon : default_moon_globe();
-  const auto& moon = scene.sky.moon.place;
   const SkyCircle circle{moon.direction_horizon, std::asin(moon_mean_radius / moon.distance) * rad, options.moon_scale};
   if (is_hidden(circle, scene)) {
     return std::nullopt;
@@ -108,6 +109,9 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
 
 std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& options) {
   require_scale(options.sun_scale, "Sun");
+  if (!(scene.sky.sun.distance > sun_radius)) {
+    return std::nullopt; // a sky of stars alone
+  }
   const SunDisc disc = sun_disc(scene.sky, options.sun);
   const SkyCircle circle{disc.direction, disc.angular_radius, options.sun_scale};
   const double obscuration = scene.sky.solar_eclipse.obscuration;

@@ -86,7 +86,8 @@ struct DiscScene {
   bool bright_sky = false;                   ///< the light of the air is drawn
 };
 
-/// Nothing where the disc is out of the picture or below the ground. Throws Error(argument) for scales out of range.
+/// Nothing where the disc is out of the picture or below the ground, and in a sky without these bodies. Throws
+/// Error(argument) for scales out of range.
 [[nodiscard]] std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& options);
 [[nodiscard]] std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& options);
 

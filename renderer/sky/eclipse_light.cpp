@@ -76,8 +76,10 @@ double within(double r, double power) {
   return 1.0 - std::pow(std::max(0.0, (1.0 - r) * (1.0 + r)), 0.5 * power + 1.0);
 }
 
-/// Shares of the light of six discs, of brightness mu^powers[k], that pass another disc.
-LimbSeries sunlight_seen(const SeenRings& rings, const LimbPowers& powers) {
+} // namespace
+
+LimbSeries sunlight_seen(double sun, double other, double separation, const LimbPowers& powers) {
+  const SeenRings rings = rings_past_disc(other / sun, separation / sun, 0.0, 1.0);
   LimbSeries seen{};
   for (std::size_t k = 0; k < limb_terms; ++k) {
     seen.at(k) = within(rings.inside_until, powers[k]) + 1.0 - within(rings.outside_from, powers[k]);
@@ -94,24 +96,12 @@ LimbSeries sunlight_seen(const SeenRings& rings, const LimbPowers& powers) {
   return seen;
 }
 
-} // namespace
-
-double sunlight_seen(double sun, double other, double separation, double power) {
-  const SeenRings rings = rings_past_disc(other / sun, separation / sun, 0.0, 1.0);
-  double seen = within(rings.inside_until, power) + 1.0 - within(rings.outside_from, power);
-  for (const SeenRings::Node& node : rings.crossed) {
-    const double mu_square = std::max(0.0, (1.0 - node.radius) * (1.0 + node.radius));
-    seen += node.weight * (power + 2.0) * node.radius * std::pow(mu_square, 0.5 * power);
-  }
-  return std::clamp(seen, 0.0, 1.0);
-}
-
 Spectrum sunlight_past_moon(const SolarEclipseState& eclipse, LimbDarkening law) {
   const double sun = eclipse.sun_semidiameter.to(rad);
   const double moon = eclipse.moon_semidiameter.to(rad);
   const double separation = eclipse.separation.to(rad);
   const LimbPowers powers = limb_powers(law);
-  const LimbSeries seen = sunlight_seen(rings_past_disc(moon / sun, separation / sun, 0.0, 1.0), powers);
+  const LimbSeries seen = sunlight_seen(sun, moon, separation, powers);
   const CoronaLight corona = corona_seen(sun, moon, separation);
   std::vector<double> wavelengths;
   std::vector<double> values;

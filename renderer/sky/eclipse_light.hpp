@@ -13,10 +13,12 @@
 
 namespace vesper {
 
-/// Share, 0 to 1, of the Sun's light that passes another disc. The angles may be in any one unit.
-/// \param sun, other radii, positive \param separation of the centres, >= 0
-/// \param power of the limb darkening, 0 (a uniform disc) to 1
-[[nodiscard]] double sunlight_seen(double sun, double other, double separation, double power);
+/// Shares, 0 to 1 to rounding, of the light of discs of brightness mu^powers[k] that pass another disc. The angles may
+/// be in any one unit.
+/// \param sun, other radii, positive
+/// \param separation of the centres, >= 0
+/// \param powers 0 (a uniform disc) to 5
+[[nodiscard]] LimbSeries sunlight_seen(double sun, double other, double separation, const LimbPowers& powers);
 
 /// The Sun's light past the Moon, by wavelength, over that of the Sun's disc: 1 without an eclipse, and redder the
 /// thinner the crescent. The corona's, 1.4e-6 at most, is in it, so that it never ends; light from outside the shadow

@@ -1,7 +1,6 @@
 #include "vesper/sky/moon_disc.hpp"
 
 #include "vesper/astro/constants.hpp"
-#include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
 #include "vesper/light/sunlight.hpp"
 
@@ -12,10 +11,6 @@ namespace vesper {
 namespace {
 
 constexpr double largest_gain = 4.0;
-
-Vec3 selenographic_vector(const Selenographic& place) {
-  return unit_vector(place.longitude.to(rad), place.latitude.to(rad));
-}
 
 /// The smallest turn that takes one unit vector to another not opposite to it (Rodrigues' formula).
 Mat3 turn(const Vec3& from, const Vec3& to) {
@@ -30,8 +25,6 @@ Mat3 axes_from_horizon(const SkyState& sky, const Vec3& to_observer) {
   const Mat3 from_horizon = sky.moon.moon_fixed_from_icrs * glm::transpose(sky.stars.horizon_from_icrs);
   return turn(glm::normalize(from_horizon * -sky.moon.place.direction_horizon), to_observer) * from_horizon;
 }
-
-Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
 
 /// Light on the Moon in the colour that the surface gives it, with the illuminance that it has there.
 Vec4 coloured(const Spectrum& light, Angle phase_angle) {
@@ -59,11 +52,11 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
   MoonIllumination moon = moon_illumination(sky, cheap ? EarthPhaseLaw::polynomial : EarthPhaseLaw::measured);
   const Length distance = sky.moon.place.distance;
   const Angle radius = std::asin(moon_mean_radius / distance) * rad;
-  const Vec3 to_observer = selenographic_vector(sky.moon.libration);
+  const Vec3 to_observer = direction_of(sky.moon.libration);
 
   f64::MoonLighting lighting{};
-  lighting.to_sun = selenographic_vector(sky.moon.subsolar);
-  lighting.to_earth = selenographic_vector(sky.moon.geocentric_libration);
+  lighting.to_sun = direction_of(sky.moon.subsolar);
+  lighting.to_earth = direction_of(sky.moon.geocentric_libration);
   lighting.sunlit = coloured(scaled(solar_irradiance_1au(), std::pow(astronomical_unit / moon.sun_distance, 2)),
                              sky.moon.phase_angle);
   lighting.earthlit = coloured(moon.earthlight, moon.earthlight_phase);

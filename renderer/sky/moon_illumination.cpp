@@ -14,17 +14,15 @@
 namespace vesper {
 namespace {
 
-Vec3 towards(const Selenographic& place) { return unit_vector(place.longitude.to(rad), place.latitude.to(rad)); }
-
 /// Where the Moon's light comes from without an eclipse: what the shadow lays over highlands costs more light than over
 /// maria.
 std::vector<MoonPlace> sunlit_face(const SkyState& sky) {
   static const MoonSamples samples = sample_moon(default_moon_map(), 4096);
   f64::MoonLighting lighting{};
-  lighting.to_sun = towards(sky.moon.subsolar);
+  lighting.to_sun = direction_of(sky.moon.subsolar);
   lighting.sun_law = lunar_law(sky.moon.phase_angle);
   lighting.sun_radius_rad = std::asin(sun_radius / sky.lunar_eclipse.sun_distance);
-  const Vec3 observer = sky.moon.place.distance / moon_mean_radius * towards(sky.moon.libration);
+  const Vec3 observer = sky.moon.place.distance / moon_mean_radius * direction_of(sky.moon.libration);
   const Mat3 icrs_from_moon_fixed = glm::transpose(sky.moon.moon_fixed_from_icrs);
   std::vector<MoonPlace> face;
   double sum = 0.0;
@@ -47,7 +45,7 @@ MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
   const Length earth_distance = glm::length(shadow.moon_km) * kilometre;
   const Angle earth_phase = angle_between(sun_km, shadow.moon_km);
   const Angle phase_of_earthlight =
-      earthlight_phase(angle_between(towards(sky.moon.libration), towards(sky.moon.geocentric_libration)),
+      earthlight_phase(angle_between(direction_of(sky.moon.libration), direction_of(sky.moon.geocentric_libration)),
                        std::asin(earth_mean_radius / earth_distance) * rad);
   const Length distance = sky.moon.place.distance;
   return {sun_distance,

@@ -36,7 +36,8 @@ struct MoonBrightness {
   double v_magnitude = 0.0; ///< of the whole disc above the air; +infinity without light
   Luminance mean_luminance; ///< over the whole disc, lit or not, above the air
 };
-/// \param irradiance as moonlight_of() gives it \param distance of the Moon's centre from the observer
+/// \param irradiance as moonlight_of() gives it
+/// \param distance of the Moon's centre from the observer
 [[nodiscard]] MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance);
 
 } // namespace vesper

@@ -14,8 +14,6 @@ namespace {
 
 constexpr int share_nodes = 256;
 
-f32::vec3 narrow(const Vec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
 struct Bodies {
   Vec3 sun_km;
   Vec3 moon_km;
@@ -42,8 +40,8 @@ std::optional<f32::MoonShadow> geometry_of(const Bodies& bodies) {
   if (glm::length(moon_aside_km) > penumbra_km + reach_km) {
     return std::nullopt;
   }
-  return f32::MoonShadow{narrow(to_sun),
-                         narrow(moon_aside_km),
+  return f32::MoonShadow{f32::vec3(to_sun),
+                         f32::vec3(moon_aside_km),
                          static_cast<float>(moon_along_km),
                          static_cast<float>(moon_radius_km),
                          static_cast<float>(sun_distance_km),
@@ -108,7 +106,7 @@ LightShare moon_shadow_share(const SkyState& sky, std::span<const double> wavele
     table.insert(table.end(), shares.begin(), shares.end());
   }
   return [shadow = *shadow, table = std::move(table)](const Vec3& place_km, std::span<double> values) {
-    const float gap = f32::moon_shadow_gap(f32::moon_shadow_discs(narrow(place_km), shadow));
+    const float gap = f32::moon_shadow_gap(f32::moon_shadow_discs(f32::vec3(place_km), shadow));
     const double place = static_cast<double>(f32::moon_shadow_gap_place(gap)) * (share_nodes - 1);
     const std::size_t node = std::min(static_cast<std::size_t>(place), std::size_t{share_nodes - 2});
     const double t = place - static_cast<double>(node);

@@ -19,7 +19,8 @@ struct SkyLight {
 };
 
 [[nodiscard]] SkyLight sun_light(const Vec3& direction, Length distance);
-/// Lit by the Sun alone. \param phase_angle 0 to 180 degrees
+/// Lit by the Sun alone.
+/// \param phase_angle 0 to 180 degrees
 [[nodiscard]] SkyLight moon_light(const Vec3& direction, Length distance, Length from_sun, Angle phase_angle);
 
 /// Spectral irradiance of the Sun at the observer above the air, W/(m2 nm): in an eclipse what the Moon leaves of it.

@@ -1,6 +1,7 @@
 #include "vesper/sky/sun_disc.hpp"
 
 #include "vesper/astro/constants.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/light/corona.hpp"
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/sunlight.hpp"
@@ -25,12 +26,7 @@ static_assert(sizeof(f32::SunShading) == sizeof(float) * (4 * 4 + 4 * f32::sun_t
 
 /// Along ICRS axes: right ascension 286.13, declination 63.87 degrees (Archinal et al. 2018, Celestial Mechanics and
 /// Dynamical Astronomy 130, 22).
-Vec3 solar_north_pole() {
-  const double right_ascension = (286.13 * deg).to(rad);
-  const double declination = (63.87 * deg).to(rad);
-  return {std::cos(declination) * std::cos(right_ascension), std::cos(declination) * std::sin(right_ascension),
-          std::sin(declination)};
-}
+Vec3 solar_north_pole() { return unit_vector((286.13 * deg).to(rad), (63.87 * deg).to(rad)); }
 
 /// What does not change with the Sun's distance: luminances.
 struct SunLuminance {
@@ -42,7 +38,7 @@ struct SunLuminance {
 SunLuminance luminance_of_sun(LimbDarkening law) {
   const Spectrum& light = solar_irradiance_1au();
   const double solid_angle = pi * std::pow(sun_radius / astronomical_unit, 2);
-  const auto luminance = [&](const Xyzs& lux) { return f64::vec4(lux.x, lux.y, lux.z, lux.s) / solid_angle; };
+  const auto luminance = [&](const Xyzs& lux) { return vector_of(lux) / solid_angle; };
   std::vector<double> reddened = light.values();
   for (std::size_t i = 0; i < reddened.size(); ++i) {
     reddened[i] *= dust_reddening(light.wavelengths_nm()[i]);
@@ -89,7 +85,7 @@ SunDisc sun_disc(const SkyState& sky, const SunOptions& options) {
   return sun;
 }
 
-f32::SunShading single_precision(const f64::SunShading& shading) {
+f32::SunShading in_single(const f64::SunShading& shading) {
   f32::SunShading single{shading.direction,
                          float(shading.sin_radius),
                          shading.upward,

@@ -34,7 +34,7 @@ struct SunDisc {
 [[nodiscard]] SunDisc sun_disc(const SkyState& sky, const SunOptions& options = {});
 
 /// What the GPU reads.
-[[nodiscard]] f32::SunShading single_precision(const f64::SunShading& shading);
+[[nodiscard]] f32::SunShading in_single(const f64::SunShading& shading);
 
 /// Where in its cycle the Sun is: 0 in December 2019, a minimum, and every 11.0 years before and after, 1 halfway. Real
 /// cycles differ from it by a year or two.

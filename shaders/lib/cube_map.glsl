@@ -49,9 +49,3 @@ FN int cube_face(PVec3 direction, int rank) {
 FN PVec3 cube_direction(int face, PVec2 place) {
   return cube_face_axes(face) * PVec3(place.x, place.y, PReal(1.0));
 }
-
-// The place of a direction on the plane of a face, which continues it; the direction's outward part must be positive.
-FN PVec2 cube_place(int face, PVec3 direction) {
-  PVec3 local = transpose(cube_face_axes(face)) * direction;
-  return PVec2(local.x / local.z, local.y / local.z);
-}

@@ -20,8 +20,6 @@ CONSTANT int depth_heights = 128;
 CONSTANT int depth_angles = 96;
 CONSTANT int depth_levels = 512;
 
-CONSTANT Real half_turn_rad = Real(3.141592653589793);
-
 struct LightShell {
   Real ground_km;
   Real top_km;
@@ -74,7 +72,7 @@ FN Real visible_light(Real cosine, Real height_km, Real ground_km, Real radius_r
     return above > Real(0.0) ? Real(1.0) : Real(0.0);
   }
   Real share = clamp(asin(above) / radius_rad, Real(-1.0), Real(1.0));
-  return Real(0.5) + (share * sqrt(max(Real(1.0) - share * share, Real(0.0))) + asin(share)) / half_turn_rad;
+  return Real(0.5) + (share * sqrt(max(Real(1.0) - share * share, Real(0.0))) + asin(share)) / pi;
 }
 
 struct DepthPlace {

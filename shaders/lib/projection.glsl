@@ -13,8 +13,6 @@ struct ProjectionFrame {
   PReal focal; // pixels per unit, see above; half a face for the cube map, unused by the equirectangular map
 };
 
-CONSTANT Real pi = Real(3.14159265358979);
-
 // The angle atan2(y, x) for y >= 0, in [0, pi], from algebraic operations alone: GLSL has no double-precision
 // trigonometry. Four half-angle steps, then the series; error below 1e-13 in double precision.
 FN PReal arc_tangent(PReal y, PReal x) {

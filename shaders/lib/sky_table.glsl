@@ -15,7 +15,6 @@ struct SkyTableFrame {
   int lights;
 };
 
-CONSTANT Real sky_half_turn = Real(3.141592653589793);
 CONSTANT int sky_azimuths = 8; // nodes over half a turn, at equal steps
 
 // Angle whose sine is given. GLSL's own may be off by 1e-4, which is much of a twilight's slope.
@@ -50,12 +49,12 @@ FN Real sky_node_height_km(int i, SkyTableFrame frame) {
 
 // Views crowd at the horizon, on both of its sides.
 FN Real sky_view_place_above(Real altitude_rad, Real dip_rad, SkyTableFrame frame) {
-  Real share = (altitude_rad + dip_rad) / (Real(0.5) * sky_half_turn + dip_rad);
+  Real share = (altitude_rad + dip_rad) / (Real(0.5) * pi + dip_rad);
   return sqrt(clamp(share, Real(0.0), Real(1.0))) * Real(frame.views_above - 1);
 }
 
 FN Real sky_view_place_below(Real altitude_rad, Real dip_rad, SkyTableFrame frame) {
-  Real share = -(altitude_rad + dip_rad) / (Real(0.5) * sky_half_turn - dip_rad);
+  Real share = -(altitude_rad + dip_rad) / (Real(0.5) * pi - dip_rad);
   return sqrt(clamp(share, Real(0.0), Real(1.0))) * Real(frame.views_below - 1);
 }
 
@@ -64,7 +63,7 @@ FN Real sky_node_altitude_rad(int row, Real dip_rad, SkyTableFrame frame) {
   bool below = row < frame.views_below;
   Real place = below ? Real(row) / Real(frame.views_below - 1)
                      : Real(row - frame.views_below) / Real(frame.views_above - 1);
-  Real range = below ? dip_rad - Real(0.5) * sky_half_turn : Real(0.5) * sky_half_turn + dip_rad;
+  Real range = below ? dip_rad - Real(0.5) * pi : Real(0.5) * pi + dip_rad;
   return range * place * place - dip_rad;
 }
 
@@ -76,14 +75,14 @@ CONSTANT Real sky_dusk_width_rad = Real(0.13962634);    // 8 degrees
 // 0 to 1 for the lowest and the highest.
 FN Real sky_light_share(Real altitude_rad) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
-  Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
+  Real last = arc_sinh((Real(0.5) * pi - sky_dusk_rad) / sky_dusk_width_rad);
   Real x = arc_sinh((altitude_rad - sky_dusk_rad) / sky_dusk_width_rad);
   return clamp((x - first) / (last - first), Real(0.0), Real(1.0));
 }
 
 FN Real sky_light_rad(Real share) {
   Real first = arc_sinh((sky_lowest_light_rad - sky_dusk_rad) / sky_dusk_width_rad);
-  Real last = arc_sinh((Real(0.5) * sky_half_turn - sky_dusk_rad) / sky_dusk_width_rad);
+  Real last = arc_sinh((Real(0.5) * pi - sky_dusk_rad) / sky_dusk_width_rad);
   Real x = mix(first, last, share);
   return sky_dusk_rad + sky_dusk_width_rad * Real(0.5) * (exp(x) - exp(-x));
 }
@@ -113,13 +112,13 @@ FN Real sky_path_share(Real height_km, Real altitude_rad, bool meets_ground, Sky
     column = scale_km * sky_share_taken(h / scale_km) * (Real(2.0) * frame.ground_km + h) / max(root - r * s, Real(1.0e-3));
   } else {
     // Chapman's function, as sqrt(pi x / 2) / ((sqrt(pi x / 2) - 1) s + 1).
-    Real level = sqrt(Real(0.5) * sky_half_turn * r / scale_km);
+    Real level = sqrt(Real(0.5) * pi * r / scale_km);
     Real upward = exp(-min(h / scale_km, most_scales)) * level / ((level - Real(1.0)) * abs(s) + Real(1.0));
     if (s >= Real(0.0)) {
       column = scale_km * upward;
     } else {
       Real tangent_km = max(r * cos(altitude_rad) - frame.ground_km, Real(0.0));
-      Real tangent = exp(-min(tangent_km / scale_km, most_scales)) * sqrt(Real(0.5) * sky_half_turn * (frame.ground_km + tangent_km) / scale_km);
+      Real tangent = exp(-min(tangent_km / scale_km, most_scales)) * sqrt(Real(0.5) * pi * (frame.ground_km + tangent_km) / scale_km);
       column = scale_km * max(Real(2.0) * tangent - upward, upward);
     }
   }
@@ -206,7 +205,7 @@ FN vec4 sky_table_between(sampler3D table, SkyNodes heights, SkyNodes lights, in
 // polynomial in the cosine that passes through them.
 FN Real sky_series_weight(int m, int k) {
   int last = sky_azimuths - 1;
-  Real weight = cos(sky_half_turn * Real(m * k) / Real(last)) / Real(last);
+  Real weight = cos(pi * Real(m * k) / Real(last)) / Real(last);
   weight *= k == 0 || k == last ? Real(0.5) : Real(1.0);
   return weight * (m == 0 || m == last ? Real(1.0) : Real(2.0));
 }
@@ -233,7 +232,7 @@ FN vec4 sky_table_log2(sampler3D table, Real height_km, SkyViewPlace view, Real 
   vec4 sum = vec4(Real(0.0));
   Real all = Real(0.0);
   for (int k = 0; k < sky_azimuths; ++k) {
-    Real apart = cos_azimuth - cos(sky_half_turn * Real(k) / Real(last));
+    Real apart = cos_azimuth - cos(pi * Real(k) / Real(last));
     Real share = (k == 0 || k == last ? Real(0.5) : Real(1.0)) / (abs(apart) < Real(1.0e-6) ? Real(1.0e-6) : apart);
     share = k % 2 == 0 ? share : -share;
     all += share;
@@ -257,13 +256,13 @@ struct SkyTransmittanceFrame {
 
 FN Real sky_transmittance_node_rad(int i, Real dip_rad, SkyTransmittanceFrame nodes) {
   Real place = Real(i) / Real(nodes.altitudes - 1);
-  return (Real(0.5) * sky_half_turn + dip_rad) * place * place - dip_rad;
+  return (Real(0.5) * pi + dip_rad) * place * place - dip_rad;
 }
 
 FN vec4 sky_transmittance_log2(sampler2D table, Real height_km, Real altitude_rad, SkyTransmittanceFrame nodes,
                                SkyTableFrame frame) {
   Real dip = sky_dip(height_km, frame);
-  Real over = clamp((altitude_rad + dip) / (Real(0.5) * sky_half_turn + dip), Real(0.0), Real(1.0));
+  Real over = clamp((altitude_rad + dip) / (Real(0.5) * pi + dip), Real(0.0), Real(1.0));
   Real share = clamp(height_km / (frame.top_km - frame.ground_km), Real(0.0), Real(1.0));
   SkyNodes columns = sky_nodes(sqrt(over) * Real(nodes.altitudes - 1), nodes.altitudes);
   SkyNodes rows = sky_nodes(sqrt(share) * Real(nodes.heights - 1), nodes.heights);
@@ -283,7 +282,7 @@ FN Real sky_disc_visible(Real altitude_rad, Real dip_rad, Real radius_rad) {
   if (abs(x) >= Real(1.0)) {
     return x > Real(0.0) ? Real(1.0) : Real(0.0);
   }
-  return Real(0.5) + (x * sqrt(Real(1.0) - x * x) + asin(x)) / sky_half_turn;
+  return Real(0.5) + (x * sqrt(Real(1.0) - x * x) + asin(x)) / pi;
 }
 
 // Illuminance of level ground at sea level by scattered light, as a logarithm to base 2, over the light's altitude.
@@ -301,7 +300,7 @@ FN vec4 sky_ground_log2(sampler1D table, Real light_altitude_rad, SkyTableFrame 
 FN Real sky_aerosol_phase(sampler1D table, Real cos_angle, int count) {
   Real bounded = clamp(cos_angle, Real(-1.0), Real(1.0));
   Real angle = atan(sqrt((Real(1.0) - bounded) * (Real(1.0) + bounded)), bounded);
-  SkyNodes nodes = sky_nodes(sqrt(angle / sky_half_turn) * Real(count - 1), count);
+  SkyNodes nodes = sky_nodes(sqrt(angle / pi) * Real(count - 1), count);
   Real sum = Real(0.0);
   for (int k = 0; k < 4; ++k) {
     sum += nodes.weights[k] * texelFetch(table, sky_node(nodes, k, count), 0).x;
@@ -318,7 +317,7 @@ FN Real sky_ground_distance_km(Real height_km, Real altitude_rad, SkyTableFrame 
 
 FN Real sky_ground_view_node_rad(int i, Real dip_rad, SkyTransmittanceFrame nodes) {
   Real place = Real(i) / Real(nodes.altitudes - 1);
-  return (dip_rad - Real(0.5) * sky_half_turn) * place * place - dip_rad;
+  return (dip_rad - Real(0.5) * pi) * place * place - dip_rad;
 }
 
 // Share of a light that passes from a point of the ground to an observer, as a logarithm to base 2; the altitude is
@@ -328,7 +327,7 @@ FN vec4 sky_ground_view_log2(sampler2D transmittance, Real height_km, Real altit
                              SkyTableFrame frame) {
   Real h = clamp(height_km, Real(0.0), frame.top_km - frame.ground_km);
   Real dip = sky_dip(h, frame);
-  Real under = clamp(-(altitude_rad + dip) / (Real(0.5) * sky_half_turn - dip), Real(0.0), Real(1.0));
+  Real under = clamp(-(altitude_rad + dip) / (Real(0.5) * pi - dip), Real(0.0), Real(1.0));
   SkyNodes columns = sky_nodes(sqrt(under) * Real(nodes.altitudes - 1), nodes.altitudes);
   SkyNodes rows = sky_nodes(sqrt(h / (frame.top_km - frame.ground_km)) * Real(nodes.heights - 1), nodes.heights);
   vec4 sum = vec4(Real(0.0));

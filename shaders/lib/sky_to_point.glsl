@@ -74,7 +74,7 @@ FN vec4 sky_passed(vec4 depth, Real blueness) {
 // Mean optical depth of the air above a height.
 FN vec4 sky_zenith_depth(sampler2D transmittance, Real height_km, SkyTransmittanceFrame nodes, SkyTableFrame frame) {
   vec4 variance = sky_band_variance();
-  vec4 zenith = sky_transmittance_log2(transmittance, height_km, Real(0.5) * sky_half_turn, nodes, frame);
+  vec4 zenith = sky_transmittance_log2(transmittance, height_km, Real(0.5) * pi, nodes, frame);
   return (exp2(-variance * zenith) - vec4(Real(1.0))) / variance;
 }
 

@@ -45,7 +45,7 @@ FN vec4 small_sky_light(sampler2D transmittance, Real height_km, Real sin_light,
   if (visible <= Real(0.0)) {
     return vec4(Real(0.0));
   }
-  Real over = clamp((altitude + dip) / (Real(0.5) * sky_half_turn + dip), Real(0.0), Real(1.0));
+  Real over = clamp((altitude + dip) / (Real(0.5) * pi + dip), Real(0.0), Real(1.0));
   Real share = clamp(h / (frame.top_km - frame.ground_km), Real(0.0), Real(1.0));
   Real x = sqrt(over) * Real(nodes.altitudes - 1);
   Real y = sqrt(share) * Real(nodes.heights - 1);
@@ -157,7 +157,7 @@ FN vec4 small_sky_multiple_texel(int column, int row, vec4 albedo, sampler2D air
   int side = 8;
   for (int d = 0; d < side * side; ++d) {
     Real sin_altitude = Real(1.0) - Real(2.0) * (Real(d / side) + Real(0.5)) / Real(side);
-    Real azimuth = Real(2.0) * sky_half_turn * (Real(d % side) + Real(0.5)) / Real(side);
+    Real azimuth = Real(2.0) * pi * (Real(d % side) + Real(0.5)) / Real(side);
     Real level = sqrt(Real(1.0) - sin_altitude * sin_altitude);
     Real cos_angle = sin_altitude * sin_light + level * cos_light * cos(azimuth);
     SmallSkyRay ray = small_sky_ray(height, sin_altitude, sin_altitude < sin_horizon, frame);
@@ -179,7 +179,7 @@ FN vec4 small_sky_multiple_texel(int column, int row, vec4 albedo, sampler2D air
     if (ray.meets_ground) {
       vec2 ground = small_sky_point(ray, ray.length_km, sin_light, cos_angle, frame);
       second += left * albedo * max(ground.y, Real(0.0)) *
-                small_sky_light(transmittance, Real(0.0), ground.y, nodes, frame) / sky_half_turn;
+                small_sky_light(transmittance, Real(0.0), ground.y, nodes, frame) / pi;
     }
   }
   vec4 count = vec4(Real(side * side));

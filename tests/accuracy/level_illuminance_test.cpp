@@ -46,8 +46,6 @@ const std::vector<Case>& cases() {
 
 Vec3 at_altitude(double altitude_deg) { return test::direction(0.0 * deg, altitude_deg * deg); }
 
-Vec4 to_vec4(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
-
 TEST(LevelIlluminance, IsTheIntegralOfTheLuminance) {
   // A plain rule on a grid so fine that it needs no cleverness: the zenith's hemisphere in equal steps.
   const SkyTables& tables = cases()[0].tables;
@@ -116,8 +114,8 @@ TEST(LevelIlluminance, AgainstTheReference) {
           reference[1] += moon_y[l] * direct[l];
         }
         const Vec4 of_sunlight =
-            to_vec4(direct_illuminance(c.tables, query.height, light_deg * deg, query.light_angular_radius)) +
-            to_vec4(diffuse_illuminance(c.tables, query.height, light_deg * deg));
+            vector_of(direct_illuminance(c.tables, query.height, light_deg * deg, query.light_angular_radius)) +
+            vector_of(diffuse_illuminance(c.tables, query.height, light_deg * deg));
         const double sun_error = 100.0 * (sun_lux * of_sunlight.y / reference[0] - 1.0);
         const double moon_error = 100.0 * (moon_lux * (moon_from_sun * of_sunlight).y / reference[1] - 1.0);
         std::printf("%s, %.0f km, light at %5.1f: %10.4g lx, %+.2f %%; by the Moon %+.2f %%\n", c.name.c_str(),
@@ -150,8 +148,8 @@ TEST(LevelIlluminance, AgainstTheCircularsFit) {
     const test::TruthRow row(table, i);
     const double altitude = row.number("apparent_altitude_deg");
     const Angle airless = test::airless_altitude_deg(altitude) * deg;
-    const Vec4 of_sunlight = to_vec4(direct_illuminance(tables, 0.0 * metre, airless, mean_light_radius)) +
-                             to_vec4(diffuse_illuminance(tables, 0.0 * metre, airless));
+    const Vec4 of_sunlight = vector_of(direct_illuminance(tables, 0.0 * metre, airless, mean_light_radius)) +
+                             vector_of(diffuse_illuminance(tables, 0.0 * metre, airless));
     (altitude >= 0.0    ? day
      : altitude >= -8.0 ? civil
                         : nautical)

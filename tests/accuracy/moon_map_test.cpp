@@ -152,9 +152,9 @@ TEST(MoonMapAccuracy, LightIsConserved) {
 /// The map's texel at a place.
 const float* texel_at(const MoonMap& map, const Vec3& direction) {
   const int face = f64::cube_face(direction, 0);
-  const Vec2 place = f64::cube_place(face, direction);
+  const Vec3 place = glm::transpose(f64::cube_face_axes(face)) * direction;
   const auto index = [&](double v) {
-    return std::clamp(static_cast<int>(0.5 * (v + 1.0) * map.face_size), 0, map.face_size - 1);
+    return std::clamp(static_cast<int>(0.5 * (v / place.z + 1.0) * map.face_size), 0, map.face_size - 1);
   };
   return &map.texels[4 * (static_cast<std::size_t>(face * map.face_size + index(-place.y)) *
                               static_cast<std::size_t>(map.face_size) +

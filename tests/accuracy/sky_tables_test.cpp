@@ -171,7 +171,7 @@ private:
     const TransportResult exact = reference_.radiance(query, functionals_, budget(reference_error));
     const Xyzs found = sky_luminance(tables_, query);
     sun.add(found, responses(exact, 0, sun_.lux));
-    const Vec4 by_moon = moon_.from_sun * Vec4(found.x, found.y, found.z, found.s);
+    const Vec4 by_moon = moon_.from_sun * vector_of(found);
     moon.add({by_moon.x, by_moon.y, by_moon.z, by_moon.w}, responses(exact, 4, moon_.lux));
   }
 

@@ -196,7 +196,7 @@ TEST(StarExtinction, AgreesWithTheIntegralOverTheSpectrum) {
         for (const double b_v : colors) {
           const Xyzs color = star_color(b_v);
           const Vec4 exact = integrated_shares(medium, columns, planck_spectrum(star_temperature_k(b_v)));
-          const Vec4 ours = star_extinction(table, sine, {color.x, color.y, color.z, color.s});
+          const Vec4 ours = star_extinction(table, sine, vector_of(color));
           (horizon_deg + above >= 5.0 ? high : low).add(worst_percent(ours, exact));
         }
       }
@@ -233,7 +233,7 @@ TEST(StarExtinction, OfPlanetsIsNearlyThatOfABlackBodyOfTheirColor) {
     for (double altitude = 0.0; altitude <= 90.0; altitude += 0.5) {
       const double sine = sine_of_degrees(altitude);
       const Vec4 exact = integrated_shares(medium, air.columns_km(sine), light);
-      const Vec4 ours = star_extinction(table, sine, {color.x, color.y, color.z, color.s});
+      const Vec4 ours = star_extinction(table, sine, vector_of(color));
       (altitude >= 5.0 ? (outer ? outer_high : high) : (outer ? outer_low : low)).add(worst_percent(ours, exact));
     }
   }
@@ -251,7 +251,7 @@ TEST(StarExtinction, LeavesAStarItsOrderOfColors) {
     const Xyzs color = star_color(b_v);
     double last_x = chromaticity(color).x;
     for (double altitude = 60.0; altitude >= 0.0; altitude -= 0.5) {
-      const Vec4 share = star_extinction(table, sine_of_degrees(altitude), {color.x, color.y, color.z, color.s});
+      const Vec4 share = star_extinction(table, sine_of_degrees(altitude), vector_of(color));
       const Chromaticity seen = chromaticity({color.x * share.x, color.y * share.y, color.z * share.z, 0.0});
       EXPECT_GE(seen.x, last_x) << b_v << " at " << altitude;
       // Between white and red all black bodies have y above this line (the purples lie below).

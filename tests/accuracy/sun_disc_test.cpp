@@ -39,7 +39,7 @@ f32::SunShading monochromatic(double nm, LimbDarkening law) {
   for (std::size_t k = 0; k < limb_terms; ++k) {
     shading.limb[k] = f64::vec4(terms.at(k).y / whole);
   }
-  return single_precision(shading);
+  return in_single(shading);
 }
 
 /// Brightness over that at the centre, as the GPU finds it.
@@ -168,7 +168,7 @@ TEST(SunDisc, AddsUpToTheIrradiance) {
   for (const LimbDarkening law : laws) {
     const SunDisc sun = sun_of(law);
     const Xyzs whole = integrate_xyzs(sun.irradiance);
-    const f32::SunShading single = single_precision(sun.shading);
+    const f32::SunShading single = in_single(sun.shading);
     const double radius = sun.angular_radius.to(rad);
     f64::vec4 sum(0.0);
     f64::vec4 single_sum(0.0);

@@ -76,7 +76,7 @@ TEST_F(Discs, TheHorizonFlattensThemAsTheTableOfRefractionTells) {
   plan.sun->disc.shading.limb[0] = f64::vec4(1.0);
   plan.sun->disc.shading.k_corona = plan.sun->disc.shading.f_corona = f64::vec4(0.0);
   const gpu::Frame frame = renderer.render(sky, view, plan);
-  const double level = static_cast<double>(frame.pixel(100, 100)[1]);
+  const auto level = static_cast<double>(frame.pixel(100, 100)[1]);
   double height = 0.0;
   double width = 0.0;
   for (int i = 0; i < 200; ++i) {
@@ -147,13 +147,12 @@ TEST_F(Discs, TheMoonHidesStarsOnItsDarkSideToo) {
   const FramePlan with = plan_frame(sky, view, stars, options);
   only(Layer::moon);
   const FramePlan without = plan_frame(sky, view, {}, options);
-  FramePlan plan = with;
   const gpu::Frame moon = renderer.render(sky, view, without);
-  const gpu::Frame both = renderer.render(resting, view, plan);
+  const gpu::Frame both = renderer.render(resting, view, with);
   double added = 0.0;
   for (int y = 0; y < 200; ++y) {
     for (int x = 0; x < 200; ++x) {
-      const double more = static_cast<double>(both.pixel(x, y)[1] - moon.pixel(x, y)[1]);
+      const auto more = static_cast<double>(both.pixel(x, y)[1] - moon.pixel(x, y)[1]);
       const double r = glm::length(Vec2(x - 99.5, y - 99.5)) / projection_frame(view).focal;
       if (r < 0.0044) {
         ASSERT_EQ(more, 0.0) << x << " " << y;

@@ -98,7 +98,7 @@ TEST_F(PlanetRender, ExtinctionDimsItAsAStar) {
   const gpu::Frame frame = renderer.render(sky, view, plan);
   const double sine = sky.planets[jupiter].place.direction_horizon.z;
   const Xyzs& color = planet_light(Planet::jupiter).color;
-  const double expected = star_extinction(plan.extinction->table, sine, {color.x, color.y, color.z, color.s}).y;
+  const double expected = star_extinction(plan.extinction->table, sine, vector_of(color)).y;
   EXPECT_LT(expected, 0.9);
   EXPECT_NEAR(illuminance_in(frame, view, 0, 0, view.width, view.height) / light_of_jupiter(), expected,
               2e-3 * expected);

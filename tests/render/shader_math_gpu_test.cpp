@@ -306,11 +306,11 @@ std::vector<FunctionCase> function_cases() {
        1.0e-3F},
       {"lunar_eclipse_texel",
        "vec4(lunar_eclipse_texel(v.xy, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9), "
-       "LunarEclipseFrame(2, 80, 64, 2, 3.8e5, 1.0e-4, 6436.0, 6491.0, 250.0)), 0, 0)",
+       "LunarEclipseMap(80, 64, 2, 3.8e5, 1.0e-4, 6436.0, 6491.0, 250.0)), 0, 0)",
        [](const glm::vec4& v) {
          const f32::EarthShadow shadow{{0.0F, 0.0F, 1.0F}, 1.496e8F, 695990.0F, 6441.9F};
-         const f32::LunarEclipseFrame frame{2, 80, 64, 2, 3.8e5F, 1.0e-4F, 6436.0F, 6491.0F, 250.0F};
-         return glm::vec4(f32::lunar_eclipse_texel(glm::vec2(v), shadow, frame), 0, 0);
+         const f32::LunarEclipseMap map{80, 64, 2, 3.8e5F, 1.0e-4F, 6436.0F, 6491.0F, 250.0F};
+         return glm::vec4(f32::lunar_eclipse_texel(glm::vec2(v), shadow, map), 0, 0);
        },
        {0, 3.6e5F, 0, 0},
        {9000, 4.1e5F, 0, 0},

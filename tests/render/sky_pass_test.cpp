@@ -33,6 +33,9 @@ SkyState sky_with(const Vec3& sun, const Vec3& moon, Length height) {
   sky.moon.place.direction_horizon = moon;
   sky.moon.place.direction_equatorial = -sun;
   sky.moon.place.distance = 384400.0 * kilometre;
+  sky.lunar_eclipse.axis = -sun;
+  sky.lunar_eclipse.moon_km = -384400.0 * sun;
+  sky.lunar_eclipse.sun_distance = 1.0 * astronomical_unit;
   return sky;
 }
 
@@ -78,7 +81,7 @@ protected:
     for (const PlannedLight& light : plan.lights) {
       const Xyzs seen_light = sky_luminance(
           *options.air.sky_tables, {sky.observer.height, light.direction, light.angular_radius, view_direction});
-      sum += light.xyzs_from_sunlight * Vec4(seen_light.x, seen_light.y, seen_light.z, seen_light.s);
+      sum += light.xyzs_from_sunlight * vector_of(seen_light);
     }
     return Vec4(left) * sum;
   }

@@ -71,7 +71,7 @@ TEST(SunShadingGpu, AgreesWithItsTwin) {
       SunOptions options;
       options.law = law;
       const SunDisc sun = sun_disc(sky_state(parse_instant(time), burgos), options);
-      const f32::SunShading shading = single_precision(sun.shading);
+      const f32::SunShading shading = in_single(sun.shading);
       // Spirals out to 70 radii, and a few directions all around.
       std::vector<glm::vec4> directions;
       for (int i = 0; i < 4000; ++i) {

@@ -61,7 +61,7 @@ TEST(SunStability, LimbAndCentreAreThoseOfTheLaw) {
 TEST(SunStability, SinglePrecisionIsThatOfTheReference) {
   for (const LimbDarkening law : laws) {
     const SunDisc sun = sun_of(law);
-    const f32::SunShading single = single_precision(sun.shading);
+    const f32::SunShading single = in_single(sun.shading);
     const double mean = 1.96e9;
     ErrorSum disc;
     ErrorSum limb;
@@ -92,7 +92,7 @@ TEST(SunStability, SinglePrecisionIsThatOfTheReference) {
 
 TEST(SunStability, CoronaEndsAndNeverExplodes) {
   const SunDisc sun = sun_of(LimbDarkening::hestroffer_magnan);
-  const f32::SunShading single = single_precision(sun.shading);
+  const f32::SunShading single = in_single(sun.shading);
   double before = std::numeric_limits<double>::infinity();
   for (double r = 1.0; r <= 60.0; r += 0.01) {
     const double here = f64::k_corona(r) + f64::f_corona(r);

@@ -29,13 +29,9 @@ TEST(CubeMap, ATexelLiesWhereTheProjectionHasIt) {
   }
 }
 
-TEST(CubeMap, PlacesAndDirectionsAreInverse) {
+TEST(CubeMap, TexelsLieOnTheFacesTheyAreCountedOn) {
   for (std::size_t i = 0; i < cube_texel_count(10); ++i) {
-    const Vec3 direction = cube_texel(10, i).direction;
-    const int face = f64::cube_face(direction, 0);
-    EXPECT_EQ(face, static_cast<int>(i / 100));
-    const Vec2 place = f64::cube_place(face, direction);
-    EXPECT_LT(glm::length(glm::normalize(f64::cube_direction(face, place)) - direction), 1e-14);
+    EXPECT_EQ(f64::cube_face(cube_texel(10, i).direction, 0), static_cast<int>(i / 100));
   }
 }
 
