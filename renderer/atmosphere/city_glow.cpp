@@ -54,7 +54,9 @@ CityGlowPattern::CityGlowPattern(const Medium& medium, Length height, Length dis
                     part.phase.parameter(lamp_nm), part.profile});
   }
   double depth = 0.0;
-  for (double low = 0.0; low <= glowing_top_km; low += depth_step_km) {
+  constexpr auto steps = static_cast<int>(glowing_top_km / depth_step_km);
+  for (int i = 0; i <= steps; ++i) {
+    const double low = i * depth_step_km;
     depths_.push_back(depth);
     for (const Air& part : air_) {
       depth += depth_step_km * part.extinction_per_km * part.profile.at(low + 0.5 * depth_step_km);

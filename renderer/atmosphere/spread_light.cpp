@@ -32,8 +32,6 @@ Vec3 toward_azimuth(Angle altitude, double azimuth_rad) {
   return {level * std::sin(azimuth_rad), level * std::cos(azimuth_rad), std::sin(altitude.to(rad))};
 }
 
-Vec4 vector_of(const Xyzs& light) { return {light.x, light.y, light.z, light.s}; }
-
 } // namespace
 
 Angle lowest_spread_light(const SkyTables& tables, Length height) {

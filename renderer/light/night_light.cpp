@@ -71,7 +71,7 @@ double v_per_arcsec2(Luminance luminance, double lux_ratio) {
 Vec4 xyzs_of_s10(const Spectrum& spectrum) {
   const Xyzs light = integrate_xyzs(spectrum);
   const double y = luminance_of_v_per_arcsec2(s10_v_per_arcsec2, lux_ratio_of(spectrum)).to(candela_per_m2);
-  return y / light.y * Vec4(light.x, light.y, light.z, light.s);
+  return y / light.y * vector_of(light);
 }
 
 const Spectrum& airglow_spectrum() {

@@ -110,6 +110,7 @@ void fill(DarkSkyPlace& place) {
   }
   place.frame = f64::sky_map_frame(place.horizon_sin_altitude, sin_highest);
   std::vector<DarkRow> rows;
+  rows.reserve(dark_rows);
   for (int index = 0; index < dark_rows; ++index) {
     rows.push_back(dark_row(index, place, dip, outside));
   }
@@ -129,8 +130,10 @@ void fill(DarkSkyPlace& place) {
     place.glow_pattern = glow_pattern(place, rows);
   }
   if (place.sky_tables != nullptr) {
+    const std::vector<int> coarse = coarse_rows();
     std::vector<Angle> altitudes;
-    for (const int index : coarse_rows()) {
+    altitudes.reserve(coarse.size());
+    for (const int index : coarse) {
       altitudes.push_back(rows[static_cast<std::size_t>(index)].straight_rad * rad);
     }
     place.views.emplace(place.sky_tables, place.height, altitudes);
@@ -189,7 +192,7 @@ std::vector<Vec4> smooth_light(const PlannedDarkSky& planned, const LayerSet& la
   const std::vector<ScatteredSource> sources = scattered_sources(planned, layers);
   static const Vec4 lamp = [] {
     const Xyzs light = integrate_xyzs(lamp_spectrum());
-    return Vec4(light.x, light.y, light.z, light.s) / light.y;
+    return vector_of(light) / light.y;
   }();
   const bool glows = has(layers, Layer::sky_glow) && !place.glow_pattern.empty();
   const Vec4 glow = place.glow.zenith.to(candela_per_m2) * lamp;

@@ -138,10 +138,7 @@ double log_ratio(const Vec3& direction) {
 
 /// Of 1e-8 W/(m2 sr um) at 500 nm.
 Vec4 zodiacal_color(const Vec3& direction) {
-  const auto color = [](double far) {
-    const Xyzs light = integrate_xyzs(zodiacal_spectrum(far));
-    return Vec4(light.x, light.y, light.z, light.s);
-  };
+  const auto color = [](double far) { return vector_of(integrate_xyzs(zodiacal_spectrum(far))); };
   static const Vec4 at_30 = color(0.0);
   static const Vec4 at_90 = color(1.0);
   const double elongation_deg = (f64::sun_elongation(direction) * rad).to(deg);
