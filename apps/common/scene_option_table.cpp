@@ -288,7 +288,8 @@ constexpr std::array table{
     SceneOptionDescription{"medium", Kind::name_or_file, "NAME|FILE", model,
                            "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
-                           "What to draw, comma-separated: stars, planets, moon, sun, sky, ground; default all", apply_layers},
+                           "What to draw, comma-separated: stars, planets, moon, sun, sky, ground; default all",
+                           apply_layers},
     SceneOptionDescription{
         "sky", Kind::text, "NAME", model,
         "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
