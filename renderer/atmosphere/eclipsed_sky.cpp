@@ -30,10 +30,6 @@ f32::vec4 direct_light(const SmallSkyTables& small, float height_km, float sin_l
                               small.transmittance_frame, small.frame);
 }
 
-f32::vec3 narrowed(const Vec3& v) {
-  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 } // namespace
 
 f32::vec4 sunlight_at(const MoonShadowInAir& in_air, const f32::vec3& place_km) {
@@ -97,7 +93,7 @@ void EclipsedSky::fill_chart(std::size_t wavelength) {
         const auto sunlight = static_cast<double>(
             direct_light(small, static_cast<float>(height), static_cast<float>(sin_light))[channel]);
         const double open = sunlight * (on_ground ? std::max(sin_light, 0.0) / pi : 0.25 / pi);
-        const auto share = static_cast<double>(sunlight_at(shadow_, narrowed(at))[channel]);
+        const auto share = static_cast<double>(sunlight_at(shadow_, f32::vec3(at))[channel]);
         planes[i][row * side + column] = {open * share, open};
       }
     }
@@ -214,7 +210,7 @@ EclipsedSky::Light EclipsedSky::march(const Vec3& view, bool with_ground) const 
   const auto sin_light = static_cast<float>(glm::dot(entry, Vec3(shadow_.shadow.to_sun)) / entry_radius);
   const auto cos_angle = static_cast<float>(glm::dot(view, Vec3(shadow_.shadow.to_sun)));
   const float molecules = f32::rayleigh_phase(cos_angle, frame.depolarization);
-  const f32::vec3 forward = narrowed(view);
+  const f32::vec3 forward(view);
   f32::vec4 left(1.0F);
   const auto sine2 = static_cast<float>(sine * sine);
   for (int i = 0; i < view_steps; ++i) {

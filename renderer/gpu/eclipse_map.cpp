@@ -50,7 +50,8 @@ std::vector<float> log2_ratios(const EclipseMap::MapSize& net, const EclipseMap:
           texels[4 * at + static_cast<std::size_t>(i)] = std::log2(ratio[i]);
         }
       };
-      const auto texel = static_cast<std::size_t>(row * net.columns + column);
+      const auto texel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(net.columns) + static_cast<std::size_t>(column);
       store(texel, ratios.without_peak);
       store(layer + texel, ratios.aerosol);
     }
