@@ -42,5 +42,5 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   eclipse = lunar_eclipse_shares(point_km, moon.shadow, moon.eclipse, eclipse_table);
 #endif
   vec4 light = moon_luminance(surface.x, normal, relief, to_observer, moon.lighting, eclipse);
-  return behind_air(light, cell.sin_altitude) * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
+  return light * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
 }

@@ -48,6 +48,5 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   if (free == 0.0 || light.y == 0.0) {
     return vec4(0.0);
   }
-  return behind_air(light, cell.sin_altitude) *
-         (free * disc_dimming(cell.place, block.disc.sine, block.disc.scale));
+  return light * (free * disc_dimming(cell.place, block.disc.sine, block.disc.scale));
 }
