@@ -44,6 +44,14 @@ float width_along(DiscCell cell, vec2 toward) {
   return length(vec2(dot(cell.across, toward), dot(cell.down, toward)));
 }
 
+// Whether a pixel may show some of the disc: its corners are half of both its edges away, with a fifth to spare for
+// edges that are not straight, and more where it is wider than the disc.
+bool meets_disc(DiscCell pixel) {
+  float extent = length(pixel.across) + length(pixel.down);
+  float reach = 1.0 + (extent < 2.0 ? 0.6 : 1.0) * extent;
+  return dot(pixel.place, pixel.place) < reach * reach;
+}
+
 // A pixel's edge is cut into that many cells at most.
 const int most_cells = 32;
 

@@ -4,15 +4,12 @@
 #include "sun_block.glsl"
 
 int disc_cells(DiscCell pixel) {
-  float reach = 1.0 + length(pixel.across) + length(pixel.down);
-  if (dot(pixel.place, pixel.place) > reach * reach) {
 #ifdef CORONA
-    return 1;
+  const int beside_disc = 1;
 #else
-    return 0;
+  const int beside_disc = 0;
 #endif
-  }
-  return cells_for(pixel);
+  return meets_disc(pixel) ? cells_for(pixel) : beside_disc;
 }
 
 // Share of a cell that the Moon leaves free.
