@@ -1,5 +1,6 @@
 // The opaque Earth: hides what lies below the geometric horizon, whose dip follows the observer's height.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 
 layout(location = 0) uniform mat3 horizon_from_view;

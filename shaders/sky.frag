@@ -1,6 +1,7 @@
 // The light of the air and of the ground below it, added to what is drawn already. PEAK draws what aerosol scatters close
 // to a light, which the rest leaves out.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
 #include "lib/sky_table.glsl"

@@ -1,6 +1,7 @@
 // Tiles of the picture in which a light's peak may show; the others are folded up. Instances: tiles of the first light,
 // then of the second.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
 #include "lib/sky_table.glsl"

@@ -6,6 +6,7 @@
 #include "prelude.glsl"
 #include "lib/hash.glsl"
 #include "lib/star_place.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
 #include "lib/refraction.glsl"

@@ -1,5 +1,6 @@
 // Luminance of a star in one pixel: its share of the light over the pixel's solid angle.
 #include "prelude.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
 #include "star_block.glsl"

@@ -1,4 +1,4 @@
-// vesper-catalog: star catalogues in, GPU buffers out.
+// vesper-catalog: star catalogues and maps in, GPU buffers and cube maps out.
 
 #include "catalog/commands.hpp"
 #include "common/program.hpp"
@@ -9,22 +9,25 @@
 
 // Only a lack of memory while the options are set up can leave this function.
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
-  CLI::App app("Turns star catalogues into star buffers, and reads these back", "vesper-catalog");
+  CLI::App app("Turns star catalogues into star buffers and maps of the Moon into a cube map, and reads these back", "vesper-catalog");
   vesper::prepare_program(app);
   app.require_subcommand(0, 1);
   const auto stars = vesper::add_stars_command(app);
+  const auto moon = vesper::add_moon_command(app);
   const auto info = vesper::add_info_command(app);
   const auto check = vesper::add_check_command(app);
   return vesper::run_program(argc, argv, app, [&] {
     if (app.got_subcommand("stars")) {
       stars();
+    } else if (app.got_subcommand("moon")) {
+      moon();
     } else if (app.got_subcommand("info")) {
       info();
     } else if (app.got_subcommand("check")) {
       check();
     } else {
       throw vesper::Error(vesper::ErrorKind::argument, "no subcommand is given",
-                          {"", "", "Allowed are stars, info and check; see vesper-catalog --help"});
+                          {"", "", "Allowed are stars, moon, info and check; see vesper-catalog --help"});
     }
   });
 }

@@ -1,6 +1,7 @@
 // Pictures in files.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -18,6 +19,10 @@ using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 void write_exr(const std::filesystem::path& path, int width, int height, std::span<const float> xyzs,
                const ImageMetadata& metadata);
 
+/// The same with channels of other names: `values` holds `channels.size()` floats a pixel.
+void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
+               std::span<const float> values, const ImageMetadata& metadata);
+
 /// Writes display pixels as PNG, 8-bit RGB, sRGB. `rgba` holds 4 bytes a pixel; alpha is dropped.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,
                const ImageMetadata& metadata);
@@ -28,10 +33,16 @@ struct FloatImage {
   int height = 0;
   std::vector<std::string> channels;
   std::vector<float> values;
+  bool floating = false;  ///< the file holds floating-point numbers; whole ones come as 0 to 1
+  int alpha_channel = -1; ///< which of the channels is alpha, or -1
   ImageMetadata metadata; ///< text attributes only
 };
 
 /// Reads any picture OpenImageIO knows, as floats. Throws Error(file) or Error(input).
 [[nodiscard]] FloatImage read_image(const std::filesystem::path& path);
+
+/// The same from a file in memory, for formats that can be read so (EXR, PNG, JPEG and others).
+/// \param name the file's name: its ending hints at the format, messages hold it
+[[nodiscard]] FloatImage decode_image(std::span<const std::byte> bytes, const std::string& name);
 
 } // namespace vesper

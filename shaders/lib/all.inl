@@ -1,6 +1,7 @@
 // Every file of shaders/lib in dependency order, for the C++ side (vesper/base/shader_math.hpp).
 #include "vesper/shaders/lib/hash.glsl"
 #include "vesper/shaders/lib/star_place.glsl"
+#include "vesper/shaders/lib/cube_map.glsl"
 #include "vesper/shaders/lib/projection.glsl"
 #include "vesper/shaders/lib/star_psf.glsl"
 #include "vesper/shaders/lib/refraction.glsl"

@@ -5,7 +5,7 @@ CONSTANT int projection_perspective = 0;     // gnomonic, focal length in pixels
 CONSTANT int projection_fisheye = 1;         // azimuthal equidistant, pixels per radian
 CONSTANT int projection_stereographic = 2;   // conformal, pixels per radian at the centre
 CONSTANT int projection_equirectangular = 3; // longitude and latitude about the view direction
-CONSTANT int projection_cubemap = 4;         // six gnomonic faces stacked in OpenEXR's order
+CONSTANT int projection_cubemap = 4;         // six gnomonic faces as cube_map.glsl stacks them
 
 struct ProjectionFrame {
   int kind;
@@ -35,49 +35,11 @@ FN PReal arc_tangent(PReal y, PReal x) {
 // The same for any y, in (-pi, pi].
 FN PReal signed_arc_tangent(PReal y, PReal x) { return y < PReal(0.0) ? -arc_tangent(-y, x) : arc_tangent(y, x); }
 
-// The axes of cube face 0 to 5 (+X -X +Y -Y +Z -Z of the cube; its X is the view's right, Y up, -Z forward), as
-// OpenEXR's cube environment maps lay them out. Columns: picture right, picture up, outward; components in view axes.
-FN PMat3 cube_face_axes(int face) {
-  PVec3 right = PVec3(PReal(1.0), PReal(0.0), PReal(0.0));
-  PVec3 up = PVec3(PReal(0.0), PReal(1.0), PReal(0.0));
-  PVec3 forward = PVec3(PReal(0.0), PReal(0.0), PReal(1.0));
-  if (face == 0) {
-    return PMat3(-forward, up, right);
-  }
-  if (face == 1) {
-    return PMat3(forward, up, -right);
-  }
-  if (face == 2) {
-    return PMat3(right, -forward, up);
-  }
-  if (face == 3) {
-    return PMat3(right, forward, -up);
-  }
-  if (face == 4) {
-    return PMat3(-right, up, -forward);
-  }
-  return PMat3(right, up, forward);
-}
+// View axes and those of the cube map, whose Z points backward: each of the other.
+FN PVec3 cube_from_view(PVec3 direction) { return PVec3(direction.x, direction.y, -direction.z); }
 
-// The face whose outward axis is the rank-th nearest to the direction (rank 0 holds it, 1 and 2 may be touched by
-// what surrounds it).
-FN int cube_face_by_rank(PVec3 direction, int rank) {
-  PVec3 size = abs(direction);
-  int largest = (size.x >= size.y && size.x >= size.z) ? 0 : (size.y >= size.z ? 1 : 2);
-  int a = largest == 0 ? 1 : 0;
-  int b = largest == 2 ? 1 : 2;
-  bool a_first = (a == 0 ? size.x : size.y) >= (b == 1 ? size.y : size.z);
-  int second = a_first ? a : b;
-  int third = a_first ? b : a;
-  int axis = rank == 0 ? largest : (rank == 1 ? second : third);
-  if (axis == 0) {
-    return direction.x >= PReal(0.0) ? 0 : 1;
-  }
-  if (axis == 1) {
-    return direction.y >= PReal(0.0) ? 2 : 3;
-  }
-  return direction.z <= PReal(0.0) ? 4 : 5;
-}
+// cube_face of a direction in view axes.
+FN int cube_face_by_rank(PVec3 direction, int rank) { return cube_face(cube_from_view(direction), rank); }
 
 // Pixel of a unit direction. Face is only used by the cube map: its pixel may then lie outside the face, on the plane
 // that continues it. False where the projection has no place for the direction.
@@ -115,7 +77,7 @@ FN bool project(PVec3 direction, int face, ProjectionFrame frame, OUT(PVec2) pix
     pixel = centre + PVec2(longitude * frame.size.x / (PReal(2.0) * half_turn), -latitude * frame.size.y / half_turn);
     return true;
   }
-  PVec3 local = transpose(cube_face_axes(face)) * direction;
+  PVec3 local = transpose(cube_face_axes(face)) * cube_from_view(direction);
   if (local.z <= PReal(1.0e-3)) {
     return false;
   }
@@ -162,7 +124,8 @@ FN bool unproject(vec2 pixel, PixelFrame frame, OUT(vec3) direction) {
   }
   int face = clamp(int(floor(pixel.y / frame.size.x)), 0, 5);
   vec2 plane = vec2(pixel.x, pixel.y - Real(face) * frame.size.x) / frame.focal - vec2(Real(1.0), Real(1.0));
-  direction = normalize(mat3(cube_face_axes(face)) * vec3(plane.x, -plane.y, Real(1.0)));
+  vec3 outward = mat3(cube_face_axes(face)) * vec3(plane.x, -plane.y, Real(1.0));
+  direction = normalize(vec3(outward.x, outward.y, -outward.z));
   return true;
 }
 

@@ -32,6 +32,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "prelude.glsl"
 #include "lib/hash.glsl"
 #include "lib/star_place.glsl"
+#include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/star_psf.glsl"
 #include "lib/refraction.glsl"
