@@ -198,12 +198,19 @@ Polygon before_the_face(const std::array<Vec3, 4>& corners, int face_size) {
 
 } // namespace
 
+double spread_pixel(const std::array<Vec2, 4>& corners, const std::array<float, 3>& brightness, int face_size,
+                    LightPatch& patch) {
+  Polygon polygon;
+  std::copy(corners.begin(), corners.end(), polygon.corners.begin());
+  polygon.size = corners.size();
+  return Spreader(brightness, face_size, patch).spread(polygon);
+}
+
 double spread_pixel(const std::array<Vec3, 4>& corners, const std::array<float, 3>& brightness, int face_size,
                     LightPatch& patch) {
-  constexpr double near_horizon = 0.25; // a corner's outward part over its length; 0.577 at the corners of a face
   Polygon polygon;
   for (const Vec3& corner : corners) {
-    if (corner.z * corner.z <= near_horizon * near_horizon * dot(corner, corner) || corner.z < 0.0) {
+    if (!lies_well_before_face(corner)) {
       polygon = before_the_face(corners, face_size);
       break;
     }

@@ -46,6 +46,17 @@ struct LightPatch {
 double spread_pixel(const std::array<Vec3, 4>& corners, const std::array<float, 3>& brightness, int face_size,
                     LightPatch& patch);
 
+/// The same for corners that all lie well before the face, in texels (texel_place).
+double spread_pixel(const std::array<Vec2, 4>& corners, const std::array<float, 3>& brightness, int face_size,
+                    LightPatch& patch);
+
+/// A direction in the axes of a face whose outward part is above this part of its length lies well before the face: its
+/// place on the face's plane can be computed. 0.577 at the corners of a face.
+inline constexpr double well_before_face = 0.25;
+[[nodiscard]] inline bool lies_well_before_face(const Vec3& local) {
+  return local.z > 0.0 && local.z * local.z > well_before_face * well_before_face * dot(local, local);
+}
+
 /// Where a direction in the axes of a face falls, in texels from its left upper corner.
 [[nodiscard]] inline Vec2 texel_place(const Vec3& local, int face_size) {
   const double half = 0.5 * static_cast<double>(face_size);

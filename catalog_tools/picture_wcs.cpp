@@ -17,6 +17,7 @@
 #include <wcslib/wcserr.h>
 #include <wcslib/wcsfix.h>
 #include <wcslib/wcshdr.h>
+#include <wcslib/wcsmath.h>
 #include <wcslib/wcsprintf.h>
 
 namespace vesper {
@@ -90,12 +91,13 @@ struct PictureWcs::Parameters {
   /// For cylindrical projections, whose longitudes are proportional to x.
   [[nodiscard]] Vec2 period() {
     prjprm& projection = prm.cel.prj;
-    const std::array<double, 2> phi{0.0, whole_turn_deg / 4.0};
-    const std::array<double, 1> theta{0.0};
+    const std::array<double, 2> longitudes{0.0, whole_turn_deg / 4.0};
+    const std::array<double, 1> equator{0.0};
     std::array<double, 2> x{};
     std::array<double, 2> y{};
     std::array<int, 2> unused{};
-    projection.prjs2x(&projection, 2, 1, 1, 1, phi.data(), theta.data(), x.data(), y.data(), unused.data());
+    projection.prjs2x(&projection, 2, 1, 1, 1, longitudes.data(), equator.data(), x.data(), y.data(),
+                      unused.data());
     std::array<double, 4> plane{};
     for (std::size_t i = 0; i < 2; ++i) {
       plane[2 * i + static_cast<std::size_t>(prm.lng)] = x[i];
@@ -301,7 +303,8 @@ std::optional<Vec2> PictureWcs::place(const Vec3& direction) {
   return Vec2(pixel[0] - 0.5, pixel[1] - 0.5);
 }
 
-std::string whole_sky_cards(const std::string& frame, double origin_deg, bool mirrored, int width, int height) {
+std::string whole_sky_cards(const std::string& frame, double origin_deg, bool mirrored, int width, int height,
+                            bool row_0_on_top) {
   struct Axes {
     const char* frame;
     const char* longitude;
@@ -330,7 +333,7 @@ std::string whole_sky_cards(const std::string& frame, double origin_deg, bool mi
   number("CRPIX1", 0.5 * (width + 1.0));
   number("CRPIX2", 0.5 * (height + 1.0));
   number("CDELT1", (mirrored ? whole_turn_deg : -whole_turn_deg) / width);
-  number("CDELT2", 0.5 * whole_turn_deg / height);
+  number("CDELT2", (row_0_on_top ? -0.5 : 0.5) * whole_turn_deg / height);
   number("CRVAL1", origin_deg);
   number("CRVAL2", 0.0);
   return cards;

@@ -62,6 +62,6 @@ private:
 /// \param origin_deg longitude at the middle of the picture
 /// \param mirrored   longitude grows to the right, as on a globe seen from outside; else to the left
 [[nodiscard]] std::string whole_sky_cards(const std::string& frame, double origin_deg, bool mirrored, int width,
-                                          int height);
+                                          int height, bool row_0_on_top);
 
 } // namespace vesper
