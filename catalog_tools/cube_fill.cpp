@@ -122,6 +122,18 @@ private:
   std::vector<Level> levels_;
 };
 
+/// Whether one of the eight texels around is marked.
+bool touches(const Level& level, const Texel& texel, const std::vector<bool>& marked) {
+  for (int down = -1; down <= 1; ++down) {
+    for (int right = -1; right <= 1; ++right) {
+      if (marked[level.index(on_cube({texel.face, texel.column + right, texel.row + down}, level.size))]) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// The texels that touch the first one of a hole, marked as seen.
 std::vector<std::size_t> hole_around(const Level& level, std::size_t start, std::vector<bool>& seen) {
   std::vector<std::size_t> hole{start};
@@ -152,6 +164,7 @@ CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr) {
   };
   std::vector<std::vector<std::size_t>> holes;
   std::vector<bool> seen(level.light.size());
+  std::vector<bool> dark(level.light.size());
   for (std::size_t i = 0; i < level.light.size(); ++i) {
     if (seen[i] || level.light[i].solid_angle_sr > 0.0F) {
       continue;
@@ -163,6 +176,9 @@ CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr) {
     }
     if (size_sr > largest_hole_sr) {
       report.dark_sr += size_sr;
+      for (const std::size_t texel : hole) {
+        dark[texel] = true;
+      }
     } else {
       holes.push_back(std::move(hole));
     }
@@ -185,6 +201,11 @@ CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr) {
     }
     const double whole = solid_angle(i);
     const double more = whole - static_cast<double>(light.solid_angle_sr);
+    if (more > 0.0 && report.dark_sr > 0.0 && touches(level, level.texel(i), dark)) {
+      light.solid_angle_sr = static_cast<float>(whole); // at the picture's end
+      report.dark_sr += more;
+      continue;
+    }
     LightTotal& gain = more >= 0.0 ? report.filled : report.overlapped;
     const double factor = whole / static_cast<double>(light.solid_angle_sr);
     gain.solid_angle_sr += std::abs(more);

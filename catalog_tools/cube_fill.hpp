@@ -9,13 +9,14 @@ namespace vesper {
 struct CubeFillReport {
   LightTotal filled;     ///< light and solid angle that holes and partly covered texels gained
   LightTotal overlapped; ///< light and solid angle that came twice, where a picture covers a place more than once
-  double dark_sr = 0.0;  ///< solid angle of holes that were left dark
+  double dark_sr = 0.0;  ///< solid angle of what was left dark
   std::size_t holes = 0; ///< filled ones that touch each other count as one
 };
 
 /// Makes of sums a whole map: each texel's light over its solid angle becomes its mean brightness times the texel's own
 /// solid angle. Texels without light take the brightness around them, smoothly, if their hole (texels that touch by
-/// their sides) is not larger than `largest_hole_sr`; others stay dark.
+/// their sides) is not larger than `largest_hole_sr`; others stay dark, and what the texels at their border hold is not
+/// completed.
 CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr);
 
 } // namespace vesper

@@ -261,16 +261,21 @@ void PictureWcs::directions(std::span<const Vec2> places, std::span<Vec3> out) {
     p.pixels[2 * i] = places[i].x + 0.5;
     p.pixels[2 * i + 1] = places[i].y + 0.5;
   }
-  const int outcome = wcsp2s(&p.prm, static_cast<int>(count), 2, p.pixels.data(), p.image.data(), p.phi.data(),
-                             p.theta.data(), p.world.data(), p.status.data());
-  constexpr int some_invalid = 8;
+  // WCSLIB 7.12 calls all points of a row invalid when one lies between the polar facets of HPX: these go one by one.
+  const bool one_by_one = p.prm.cel.prj.category == HEALPIX;
+  bool broken = false;
+  for (std::size_t i = 0; i < count; i += one_by_one ? 1 : count) {
+    const int outcome = wcsp2s(&p.prm, one_by_one ? 1 : static_cast<int>(count), 2, &p.pixels[2 * i], &p.image[2 * i],
+                               &p.phi[i], &p.theta[i], &p.world[2 * i], &p.status[i]);
+    constexpr int some_invalid = 8;
+    broken = broken || (outcome != 0 && outcome != some_invalid);
+  }
   constexpr double pole = whole_turn_deg / 4.0 + 1e-9; // with rounding
   const auto longitude = static_cast<std::size_t>(p.prm.lng);
   const auto latitude = static_cast<std::size_t>(p.prm.lat);
   const double rad_per_deg = deg.to(rad);
   for (std::size_t i = 0; i < count; ++i) {
-    const bool valid = (outcome == 0 || (outcome == some_invalid && p.status[i] == 0)) && std::abs(p.theta[i]) <= pole;
-    if (!valid) {
+    if (broken || p.status[i] != 0 || !(std::abs(p.theta[i]) <= pole)) {
       out[i] = Vec3(0.0);
       continue;
     }
