@@ -20,19 +20,14 @@ constexpr double significant = 3.0;      // standard errors
 constexpr double wing_share = 0.02;      // of the background
 constexpr double neighbour_share = 0.05; // of a star's light, that another nearby may have
 
-double smallest_side(const Vec3& across, const Vec3& up) { return std::min(length(across), length(up)); }
-
 /// A plane over a star's surroundings, and the scatter of what it was fitted to.
 struct Plane {
   Vec3 coefficients{0.0}; ///< constant, along u, along v
   double scatter = 0.0;
-  std::size_t count = 0;
 
   [[nodiscard]] double at(const Vec2& place) const {
     return coefficients.x + coefficients.y * place.x + coefficients.z * place.y;
-  }
-  [[nodiscard]] double error() const { return scatter / std::sqrt(static_cast<double>(std::max<std::size_t>(count, 1))); }
-};
+  }};
 
 struct Sample {
   Vec2 place; ///< pixels from the star
@@ -57,7 +52,6 @@ std::optional<Plane> fit_plane(std::vector<Sample> samples) {
       return std::nullopt;
     }
     plane.coefficients = inverse(normal) * right;
-    plane.count = samples.size();
     double squares = 0.0;
     for (const Sample& s : samples) {
       const double off = s.value - plane.at(s.place);
@@ -109,24 +103,26 @@ PanoramaStars::PanoramaStars(const StarCatalogue& catalogue, const std::string& 
     if (!place) {
       continue;
     }
-    for (const double turns : {-1.0, 0.0, 1.0}) {
-      if (turns != 0.0 && !wcs_.period()) {
-        continue;
+    target.place = *place;
+    // A map that goes round may be cut anywhere.
+    for (const double turns : {-1.0, 1.0}) {
+      const Vec2 turned = *place + turns * wcs_.period().value_or(Vec2(0.0));
+      if (std::abs(turned.x - 0.5 * width_) < std::abs(target.place.x - 0.5 * width_)) {
+        target.place = turned;
       }
-      target.place = *place + turns * wcs_.period().value_or(Vec2(0.0));
-      const Vec2& p = target.place;
-      if (p.x < -1.0 || p.y < 0.0 || p.x > width_ + 1.0 || p.y > height_) {
-        continue;
-      }
-      const Vec3 across = wcs_.direction(p + Vec2(0.5, 0.0)) - wcs_.direction(p - Vec2(0.5, 0.0));
-      const Vec3 up = wcs_.direction(p + Vec2(0.0, 0.5)) - wcs_.direction(p - Vec2(0.0, 0.5));
-      constexpr double no_pixel_rad = 0.5; // a place beside the sky stands for the zero vector
-      target.pixel_rad = std::max(length(across), length(up));
-      constexpr double squeeze = 0.5;
-      target.squeezed = smallest_side(across, up) < squeeze * target.pixel_rad;
-      if (target.pixel_rad > 0.0 && target.pixel_rad < no_pixel_rad) {
-        targets_.push_back(target);
-      }
+    }
+    const Vec2& p = target.place;
+    if (p.x < 0.0 || p.y < 0.0 || p.x > width_ || p.y > height_) {
+      continue;
+    }
+    const Vec3 across = wcs_.direction(p + Vec2(0.5, 0.0)) - wcs_.direction(p - Vec2(0.5, 0.0));
+    const Vec3 up = wcs_.direction(p + Vec2(0.0, 0.5)) - wcs_.direction(p - Vec2(0.0, 0.5));
+    constexpr double no_pixel_rad = 0.5; // a place beside the sky stands for the zero vector
+    target.pixel_rad = std::max(length(across), length(up));
+    constexpr double squeeze = 0.5;
+    target.squeezed = std::min(length(across), length(up)) < squeeze * target.pixel_rad;
+    if (target.pixel_rad > 0.0 && target.pixel_rad < no_pixel_rad) {
+      targets_.push_back(target);
     }
   }
   // Alone is who has no neighbour of some brightness within reach of aperture and ring, searched by declination.
@@ -158,15 +154,28 @@ void PanoramaStars::process(PictureStrip& strip, int end) {
   }
 }
 
+int PanoramaStars::whole_turn_px() const {
+  const Vec2 period = wcs_.period().value_or(Vec2(0.0));
+  const double columns = std::abs(period.x);
+  constexpr double tolerance_px = 0.1;
+  const bool whole = std::abs(period.y) < tolerance_px && std::abs(columns - std::round(columns)) < tolerance_px;
+  return whole ? static_cast<int>(std::round(columns)) : 0;
+}
+
 std::vector<PanoramaStars::Pixel> PanoramaStars::pixels_around(const PictureStrip& strip, const Target& target,
                                                                double reach_px) {
   const Vec3 across = wcs_.direction(target.place + Vec2(0.5, 0.0)) - wcs_.direction(target.place - Vec2(0.5, 0.0));
   const double stretch = target.pixel_rad / std::max(length(across), 1e-9);
-  constexpr double furthest_px = 512.0;
-  const int reach_x = static_cast<int>(std::min(std::ceil(reach_px * stretch), furthest_px));
+  const int reach_x = static_cast<int>(std::min(std::ceil(reach_px * stretch), 0.5 * width_ - 1.0));
   const int reach_y = static_cast<int>(std::ceil(reach_px));
-  const int x0 = std::max(static_cast<int>(target.place.x) - reach_x, 0);
-  const int x1 = std::min(static_cast<int>(target.place.x) + reach_x + 1, width_);
+  const int turn = whole_turn_px();
+  std::vector<int> columns;
+  for (int x = static_cast<int>(target.place.x) - reach_x; x <= static_cast<int>(target.place.x) + reach_x; ++x) {
+    const int column = x < 0 ? x + turn : x >= width_ ? x - turn : x;
+    if (column >= 0 && column < width_) {
+      columns.push_back(column);
+    }
+  }
   const int y0 = std::max({static_cast<int>(target.place.y) - reach_y, 0, strip.first_row});
   const int y1 = std::min({static_cast<int>(target.place.y) + reach_y + 1, height_, strip.first_row + strip.rows});
   const Vec3 pole(0.0, 0.0, 1.0);
@@ -177,7 +186,7 @@ std::vector<PanoramaStars::Pixel> PanoramaStars::pixels_around(const PictureStri
   std::vector<Vec3> directions;
   for (int y = y0; y < y1; ++y) {
     centres.clear();
-    for (int x = x0; x < x1; ++x) {
+    for (const int x : columns) {
       centres.emplace_back(x + 0.5, y + 0.5);
     }
     for (const Vec2& half : {Vec2(-0.5, 0.0), Vec2(0.5, 0.0), Vec2(0.0, -0.5), Vec2(0.0, 0.5)}) {
@@ -187,11 +196,11 @@ std::vector<PanoramaStars::Pixel> PanoramaStars::pixels_around(const PictureStri
     wcs_.directions(centres, directions);
     const Vec3* ends = directions.data() + directions.size() - 4;
     const double solid_angle = length(cross(ends[1] - ends[0], ends[3] - ends[2]));
-    for (int x = x0; x < x1; ++x) {
-      const Vec3& direction = directions[static_cast<std::size_t>(x - x0)];
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const Vec3& direction = directions[i];
       const Vec2 place = Vec2(dot(direction, east), dot(direction, north)) / target.pixel_rad;
       if (dot(direction, target.direction) > 0.0 && length(place) < reach_px) {
-        pixels.push_back({x, y, place, length(place), solid_angle});
+        pixels.push_back({columns[i], y, place, length(place), solid_angle});
       }
     }
   }
@@ -199,7 +208,7 @@ std::vector<PanoramaStars::Pixel> PanoramaStars::pixels_around(const PictureStri
 }
 
 void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
-  std::vector<Pixel> pixels = pixels_around(strip, target, options_.radius_px + 2.0 * ring_px);
+  std::vector<Pixel> pixels = pixels_around(strip, target, options_.radius_px + ring_px);
   const auto value = [&](const Pixel& p, int channel) { return static_cast<double>(strip.row(channel, p.y)[p.x]); };
   const auto is_saturated = [&](const Pixel& p) {
     bool any = false;
@@ -226,7 +235,7 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
   for (int step = 0; step <= most_growths; ++step) {
     if (step > 0) {
       radius *= growth;
-      pixels = pixels_around(strip, target, radius + 2.0 * ring_px);
+      pixels = pixels_around(strip, target, radius + ring_px);
     }
     std::array<Plane, 3> found;
     bool wings = false;
@@ -254,11 +263,18 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
       }
       excess += plain_sum;
       variance += near->scatter * near->scatter * count;
-      const auto far = plane_around(radius + ring_px, radius + 2.0 * ring_px, channel);
-      if (far) {
-        const double wing = near->coefficients.x - far->coefficients.x;
-        wings = wings || (wing > wing_share * std::abs(far->coefficients.x) &&
-                          wing > significant * (near->error() + far->error()) && wing * count < 0.5 * plain_sum);
+      // The star's wings surround the aperture, a neighbour fills but a part of the way around.
+      std::vector<double> rim;
+      for (const Pixel& p : pixels) {
+        if (p.distance >= radius && p.distance < radius + 1.0 && std::isfinite(value(p, channel))) {
+          rim.push_back(value(p, channel) - near->at(p.place));
+        }
+      }
+      if (!rim.empty()) {
+        const auto middle = rim.begin() + static_cast<std::ptrdiff_t>(rim.size() / 2);
+        std::nth_element(rim.begin(), middle, rim.end());
+        const double error = near->scatter / std::sqrt(static_cast<double>(rim.size()));
+        wings = wings || (*middle > wing_share * std::abs(near->coefficients.x) && *middle > significant * error);
       }
     }
     if (!fitted) {

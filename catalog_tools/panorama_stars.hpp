@@ -38,7 +38,8 @@ struct PanoramaStarReport {
 /// Goes through a picture's rows in step with their reading. Each star's background is the plane through the ring of
 /// 3 pixels around its aperture, fitted without what stands out of it by 2.5 standard deviations; what the aperture
 /// holds above that is the star's, and removing the star puts the plane in its place. The aperture grows, up to four
-/// times, until the light of a bright star's wings in the ring is below 2 % of the background or lost in its noise.
+/// times, until the star's wings on its rim (the median all the way around) are below 2 % of the background or lost in
+/// its noise, and nothing there is cut off.
 class PanoramaStars {
 public:
   /// Rows that must be in memory above and below a star.
@@ -66,6 +67,8 @@ private:
     bool squeezed = false; ///< pixels far from square
   };
   struct Pixel;
+  /// The columns after which the picture repeats itself; 0 where it does not, or not by whole pixels.
+  [[nodiscard]] int whole_turn_px() const;
   [[nodiscard]] std::vector<Pixel> pixels_around(const PictureStrip& strip, const Target& target, double reach_px);
   void treat(PictureStrip& strip, const Target& target);
 

@@ -52,7 +52,7 @@ struct PanoramaCommand {
   double star_radius = 3.0;
   std::optional<double> saturation;
   std::optional<double> missing;
-  std::string credit;
+  std::string credit = "none stated";
   bool dry_run = false;
   bool json = false;
 };
