@@ -1,6 +1,7 @@
 #include "vesper/catalog_tools/cube_fill.hpp"
 
 #include "vesper/base/shader_math.hpp"
+#include "vesper/base/worker_pool.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -228,6 +229,45 @@ CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr) {
   }
   cube.sums.swap(level.light);
   return report;
+}
+
+void soften_faint(CubeSum& cube, const Vec3& y_of_channels, double faint) {
+  constexpr std::size_t coarsest = 5; // halvings
+  std::vector<Level> levels;
+  levels.reserve(coarsest);
+  Level whole(cube.face_size);
+  whole.light.swap(cube.sums);
+  for (std::size_t i = 0; i < coarsest; ++i) {
+    levels.push_back(halved(i == 0 ? whole : levels.back()));
+  }
+  std::vector<LightSum> softened(whole.light.size());
+  constexpr std::size_t texels_a_call = std::size_t{1} << 14;
+  parallel_for(whole.light.size(), texels_a_call, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const LightSum& own = whole.light[i];
+      const Vec3 direction = direction_of(whole.texel(i), whole.size);
+      const auto brightness = [&](std::size_t halvings) {
+        if (halvings > 0) {
+          const auto value = brightness_at(levels[halvings - 1], direction);
+          return Vec3(value[0], value[1], value[2]);
+        }
+        return Vec3(own.light[0], own.light[1], own.light[2]) / static_cast<double>(own.solid_angle_sr);
+      };
+      Vec3 light = brightness(coarsest);
+      for (std::size_t halvings = coarsest; halvings-- > 0;) {
+        // A mean over more texels is good for fainter light.
+        const double enough = faint / static_cast<double>(std::size_t{1} << halvings);
+        const double trust = std::clamp(2.0 * dot(y_of_channels, light) / enough - 1.0, 0.0, 1.0);
+        light = mix(light, brightness(halvings), trust);
+      }
+      for (glm::length_t channel = 0; channel < 3; ++channel) {
+        softened[i].light[static_cast<std::size_t>(channel)] =
+            static_cast<float>(light[channel]) * own.solid_angle_sr;
+      }
+      softened[i].solid_angle_sr = own.solid_angle_sr;
+    }
+  });
+  cube.sums.swap(softened);
 }
 
 } // namespace vesper

@@ -19,4 +19,11 @@ struct CubeFillReport {
 /// completed.
 CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr);
 
+/// Smooths what is fainter than `faint`, for pictures whose few bits leave contours and coloured grains there: a texel
+/// takes the mean over the wider surroundings, up to 32 texels, the fainter these are. Moves light by that much, and
+/// changes its sum by less than a percent of what is faint.
+///
+/// \param y_of_channels weights whose sum over channels is the brightness that `faint` means
+void soften_faint(CubeSum& cube, const Vec3& y_of_channels, double faint);
+
 } // namespace vesper

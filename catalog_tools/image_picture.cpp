@@ -24,6 +24,10 @@ ImagePicture::ImagePicture(const std::filesystem::path& path) : rows_(path) {
   }
 }
 
+double ImagePicture::least_value() const {
+  return rows_.floating() ? 0.0 : static_cast<double>(linear_of_srgb(1.0F / 255.0F));
+}
+
 void ImagePicture::read(int channel, int first_row, std::span<float> values) {
   const auto all = static_cast<std::size_t>(rows_.channels());
   if (first_row != held_row_ || held_.size() != values.size() * all) {

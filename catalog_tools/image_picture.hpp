@@ -19,8 +19,8 @@ public:
   [[nodiscard]] int width() const override { return rows_.width(); }
   [[nodiscard]] int height() const override { return rows_.height(); }
   [[nodiscard]] int channels() const override { return channels_; }
-  /// Whether its numbers were made for a display rather than for light.
-  [[nodiscard]] bool for_display() const { return !rows_.floating(); }
+  /// The least value above zero that 8 bits express; 0 for floating-point numbers.
+  [[nodiscard]] double least_value() const;
   void read(int channel, int first_row, std::span<float> values) override;
 
 private:

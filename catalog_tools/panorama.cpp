@@ -208,9 +208,11 @@ std::array<float, 4> Panorama::texel(std::size_t index) const {
   const Vec3 channels = Vec3(sum.light[0], sum.light[1], sum.light[2]) / static_cast<double>(sum.solid_angle_sr);
   Vec3 xyz = xyz_from_channels_ * channels;
   if (gains_) {
-    // Another colour, the same luminance.
+    // Another colour, the same luminance. Pictures for a display have their colours enhanced.
+    constexpr double chroma = 0.5;
+    const Xyzs mean = star_color(milky_way_b_v);
     const Vec3 tinted = xyz_from_channels_ * (*gains_ * channels);
-    xyz = tinted.y > 0.0 ? tinted * (xyz.y / tinted.y) : Vec3(0.0);
+    xyz = tinted.y > 0.0 ? xyz.y * mix(Vec3(mean.x, mean.y, mean.z), tinted / tinted.y, chroma) : Vec3(0.0);
   }
   return {static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z),
           static_cast<float>(dot(scotopic_of_xyz(), xyz))};
@@ -275,6 +277,12 @@ PanoramaProduct make_panorama(PictureSource& picture, const PictureWcs& wcs, con
   report.overlapped = fill.overlapped;
   report.holes = fill.holes;
   report.dark_sr = fill.dark_sr;
+  if (report.anchors && options.least_value > 0.0) {
+    constexpr double steps = 16.0; // of the picture's numbers, below which its contours show
+    const Mat3& xyz = options.transform.xyz_from_channels;
+    soften_faint(resampler.cube(), Vec3(xyz[0].y, xyz[1].y, xyz[2].y),
+                 std::pow(steps * options.least_value, report.anchors->exponent));
+  }
   report.out = total_of(resampler.cube());
   Panorama map(std::move(resampler.cube()), options.transform, scale,
                options.calibration == PanoramaCalibration::anchors && picture.channels() == 3);

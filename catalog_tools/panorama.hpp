@@ -24,7 +24,8 @@ enum class PanoramaCalibration {
   given,   ///< by PanoramaOptions::cd_m2_per_unit
   stars,   ///< a scale fitted to catalogue stars in the picture
   anchors, ///< for pictures made for a display: a power law through the published brightness of two fields, and the
-           ///< integrated colour of the Milky Way. Uncalibrated: good for a look, not for measuring
+           ///< integrated colour of the Milky Way with half of the picture's contrast of colours around it.
+           ///< Uncalibrated: good for a look, not for measuring
 };
 
 struct PanoramaOptions {
@@ -38,6 +39,8 @@ struct PanoramaOptions {
   MagnitudeRange fit_range;
   bool fill_saturated = false;            ///< pixels at star_options.saturation and above are holes
   std::optional<double> missing;          ///< pixels that have this value in all channels are holes
+  /// For pictures tied to anchors: where they are darker than some sixteen of these steps they are smoothed (soften_faint).
+  double least_value = 0.0;
   double largest_hole_sr = 0.1 * 4.0 * std::numbers::pi; ///< holes above this are no holes but the picture's outside
   /// Called after every strip with the number of rows done since the last call. What it throws ends the work.
   std::function<void(std::size_t rows)> progress = [](std::size_t) {};

@@ -185,7 +185,7 @@ PictureWcs::PictureWcs(const std::string& cards, const std::string& file, const 
   if (const int status = wcsset(&whole); status != 0) {
     const std::string text = whole.err != nullptr ? whole.err->msg : wcs_errmsg[status];
     std::string keyword;
-    for (const auto& [word, key] : {std::pair("units", "CUNIT"), {"inear transformation matrix", "CD, PC, CDELT"},
+    for (const auto& [word, key] : {std::pair("CUNIT1", "CUNIT1"), {"CUNIT2", "CUNIT2"}, {"units", "CUNIT"}, {"inear transformation matrix", "CD, PC, CDELT"},
                                     {"CTYPE", "CTYPE"}, {"ctype", "CTYPE"}, {"PV", "PV"}, {"projection", "PV"}}) {
       if (keyword.empty() && text.find(word) != std::string::npos) {
         keyword = key;

@@ -104,6 +104,7 @@ struct OpenedPicture {
   std::optional<PictureWcs> wcs;
   std::string file, place;
   FitsRemarks remarks;
+  double least_value = 0.0; ///< above zero that its numbers can express; 0 for floating-point ones
 };
 
 PictureWcs wcs_of(const FitsPicture& fits, const PanoramaCommand& command) {
@@ -154,6 +155,7 @@ OpenedPicture open_picture(const PanoramaCommand& command) {
                                      image->height(), true),
                      opened.file, "picture");
   opened.place = "picture";
+  opened.least_value = image->least_value();
   opened.picture = std::move(image);
   return opened;
 }
@@ -197,7 +199,7 @@ std::string calibration_text(const PanoramaOptions& options, const PanoramaRepor
   }
   if (r.anchors) {
     return fmt::format("uncalibrated: tied to {} mag/arcsec2 in Sagittarius and {} at the anticentre by {:.4e} cd/m2 x "
-                       "Y^{:.3f}, mean colour that of B-V = {}; transform {}",
+                       "Y^{:.3f}, mean colour that of B-V = {}, colours halved; transform {}",
                        *sky_fields()[3].anchor_mag_arcsec2, *sky_fields()[2].anchor_mag_arcsec2,
                        r.anchors->scale_cd_m2, r.anchors->exponent, milky_way_b_v, options.transform.name);
   }
@@ -334,6 +336,7 @@ void require_paths(const PanoramaCommand& command) {
 }
 
 void run_panorama(const PanoramaCommand& command) {
+  const InterruptWatch watch;
   require_paths(command);
   if (command.frame.empty() && (command.origin || command.mirrored)) {
     throw Error(ErrorKind::argument, "--origin and --mirrored belong to --frame", {"", "", "Give --frame too"});
@@ -346,6 +349,7 @@ void run_panorama(const PanoramaCommand& command) {
                                         opened.picture->channels());
   choose_calibration(command, opened, options);
   options.missing = command.missing;
+  options.least_value = opened.least_value;
   options.star_options.remove = !command.remove_stars.empty();
   options.star_options.radius_px = command.star_radius;
   options.star_options.epoch_jyear = command.epoch ? *command.epoch : opened.remarks.epoch_jyear.value_or(2000.0);
@@ -362,7 +366,6 @@ void run_panorama(const PanoramaCommand& command) {
     options.star_file = "embedded stars";
   }
 
-  const InterruptWatch watch;
   std::optional<PanoramaProduct> product;
   {
     ProgressBar bar("Spreading the picture", static_cast<std::size_t>(opened.picture->height()));
