@@ -74,7 +74,7 @@ struct PanoramaReport {
 /// held once.
 class Panorama {
 public:
-  Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit, bool neutral);
+  Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit, bool uncalibrated);
 
   [[nodiscard]] int face_size() const { return cube_.face_size; }
   /// X, Y, Z, S in cd/m2 of a texel in the order of cube_texel.
@@ -86,6 +86,7 @@ public:
 private:
   CubeSum cube_;
   Mat3 xyz_from_channels_;
+  bool uncalibrated_; ///< then numbers are rounded within 0.025 % too
   std::optional<Vec3> gains_; ///< of channels, that make the map's mean colour that of the Milky Way
 };
 

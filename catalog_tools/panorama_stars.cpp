@@ -18,6 +18,8 @@ constexpr int clip_rounds = 3;
 constexpr std::size_t least_ring_pixels = 12;
 constexpr double significant = 3.0;      // standard errors
 constexpr double wing_share = 0.02;      // of the background
+constexpr double steepest_wing = 0.4;    // of the mean in the aperture: above it is a cloud, no star
+constexpr double least_contrast = 1.3;   // of the mean in the inner half of the aperture to that in the outer one
 constexpr double neighbour_share = 0.05; // of a star's light, that another nearby may have
 
 /// A plane over a star's surroundings, and the scatter of what it was fitted to.
@@ -242,6 +244,8 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
     bool fitted = true;
     std::array<double, 3> sum{};
     double excess = 0.0;
+    double inner_excess = 0.0;
+    double outer_excess = 0.0;
     double variance = 0.0;
     for (int channel = 0; channel < strip.channels && fitted; ++channel) {
       const auto c = static_cast<std::size_t>(channel);
@@ -253,15 +257,23 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
       found[c] = *near;
       double count = 0.0;
       double plain_sum = 0.0;
+      double inner_sum = 0.0;
+      double inner_count = 0.0;
       for (const Pixel& p : pixels) {
         if (p.distance < radius && std::isfinite(value(p, channel))) {
           const double above = value(p, channel) - near->at(p.place);
           sum[c] += above * p.solid_angle_sr;
           plain_sum += above;
           count += 1.0;
+          if (p.distance < 0.5 * radius) {
+            inner_sum += above;
+            inner_count += 1.0;
+          }
         }
       }
       excess += plain_sum;
+      inner_excess += inner_sum / std::max(inner_count, 1.0);
+      outer_excess += (plain_sum - inner_sum) / std::max(count - inner_count, 1.0);
       variance += near->scatter * near->scatter * count;
       // The star's wings surround the aperture, a neighbour fills but a part of the way around.
       std::vector<double> rim;
@@ -274,7 +286,8 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
         const auto middle = rim.begin() + static_cast<std::ptrdiff_t>(rim.size() / 2);
         std::nth_element(rim.begin(), middle, rim.end());
         const double error = near->scatter / std::sqrt(static_cast<double>(rim.size()));
-        wings = wings || (*middle > wing_share * std::abs(near->coefficients.x) && *middle > significant * error);
+        wings = wings || (*middle > wing_share * std::abs(near->coefficients.x) && *middle > significant * error &&
+                          *middle < steepest_wing * plain_sum / count);
       }
     }
     if (!fitted) {
@@ -285,9 +298,10 @@ void PanoramaStars::treat(PictureStrip& strip, const Target& target) {
     }
     planes = found;
     star.light = sum;
-    stands_out = excess > significant * std::sqrt(variance) && excess > 0.0;
     saturated = std::any_of(pixels.begin(), pixels.end(),
                             [&](const Pixel& p) { return p.distance < radius && is_saturated(p); });
+    stands_out = excess > significant * std::sqrt(variance) && excess > 0.0 &&
+                 (saturated || inner_excess > least_contrast * outer_excess);
     const bool cut_off = std::any_of(pixels.begin(), pixels.end(), [&](const Pixel& p) {
       return p.distance >= radius && p.distance < radius + 1.0 && is_saturated(p);
     });

@@ -30,7 +30,7 @@ struct MeasuredStar {
 
 struct PanoramaStarReport {
   std::size_t in_picture = 0; ///< catalogue stars whose surroundings lie in the picture
-  std::size_t found = 0;      ///< of these, stars that stand out by three standard errors
+  std::size_t found = 0;      ///< of these, stars that stand out by three standard errors, towards their middle
   LightTotal removed;         ///< light taken out, and the solid angle that it was taken from
   double catalogue_lux = 0.0; ///< of the stars that were found
 };

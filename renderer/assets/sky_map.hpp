@@ -53,4 +53,8 @@ void write_sky_map(const std::filesystem::path& path, const SkyMap& map);
 /// The same from a file in memory. \param name the file's name in messages
 [[nodiscard]] SkyMap decode_sky_map(std::span<const std::byte> bytes, const std::string& name);
 
+/// The map that is built into the library (data/milky_way.exr, 256 texels a face), decoded at the first call. It is
+/// uncalibrated: two fields have their published brightness, the rest follows a picture that was made to look at.
+[[nodiscard]] const SkyMap& default_sky_map();
+
 } // namespace vesper
