@@ -16,7 +16,8 @@ constexpr double quarter_turn = 0.5 * std::numbers::pi;
 
 /// ERFA's matrices lie row by row.
 Mat3 from_rows(const double (&rows)[3][3]) {
-  return {{rows[0][0], rows[1][0], rows[2][0]}, {rows[0][1], rows[1][1], rows[2][1]}, {rows[0][2], rows[1][2], rows[2][2]}};
+  return {
+      {rows[0][0], rows[1][0], rows[2][0]}, {rows[0][1], rows[1][1], rows[2][1]}, {rows[0][2], rows[1][2], rows[2][2]}};
 }
 
 Vec3 unit_vector(double longitude_deg, double latitude_deg) {

@@ -71,8 +71,7 @@ std::array<float, 3> brightness_at(const Level& level, const Vec3& direction) {
   for (int corner = 0; corner < 4; ++corner) {
     const int right = corner % 2;
     const int down = corner / 2;
-    const Texel texel =
-        on_cube({face, static_cast<int>(base.x) + right, static_cast<int>(base.y) + down}, level.size);
+    const Texel texel = on_cube({face, static_cast<int>(base.x) + right, static_cast<int>(base.y) + down}, level.size);
     const auto weight = static_cast<float>((right == 1 ? part.x : 1.0 - part.x) * (down == 1 ? part.y : 1.0 - part.y));
     const LightSum& light = level.light[level.index(texel)];
     for (std::size_t i = 0; i < sum.size(); ++i) {
@@ -261,8 +260,7 @@ void soften_faint(CubeSum& cube, const Vec3& y_of_channels, double faint) {
         light = mix(light, brightness(halvings), trust);
       }
       for (glm::length_t channel = 0; channel < 3; ++channel) {
-        softened[i].light[static_cast<std::size_t>(channel)] =
-            static_cast<float>(light[channel]) * own.solid_angle_sr;
+        softened[i].light[static_cast<std::size_t>(channel)] = static_cast<float>(light[channel]) * own.solid_angle_sr;
       }
       softened[i].solid_angle_sr = own.solid_angle_sr;
     }

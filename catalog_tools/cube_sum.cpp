@@ -78,8 +78,8 @@ public:
     const double x = 2.0 * half_texel_ * piece.centroid.x - 1.0;
     const double y = 2.0 * half_texel_ * piece.centroid.y - 1.0;
     const double r2 = 1.0 + x * x + y * y;
-    // The mean over the piece of the density r2^(-3/2), whose Laplacian over itself is (9 - 15 / r2) / r2, for a piece as
-    // round as a square.
+    // The mean over the piece of the density r2^(-3/2), whose Laplacian over itself is (9 - 15 / r2) / r2, for a piece
+    // as round as a square.
     const double area = 2.0 * half_texel_ * half_texel_ * piece.twice_area * sign_;
     const double density = (1.0 + area * (9.0 - 15.0 / r2) / (24.0 * r2)) / (r2 * std::sqrt(r2));
     const double solid_angle = area * density;

@@ -36,9 +36,9 @@ struct LightPatch {
 };
 
 /// Spreads a pixel over the texels of the patch that it overlaps: each gets `brightness` times the solid angle of the
-/// overlap. The pixel is the polygon of great circles through its corners; clipped in the plane of the face, where great
-/// circles are straight, so that pixels which share an edge leave no gap and no overlap. The solid angle of a piece is
-/// its area times the mean of the projection's density, to the second order in the piece's size.
+/// overlap. The pixel is the polygon of great circles through its corners; clipped in the plane of the face, where
+/// great circles are straight, so that pixels which share an edge leave no gap and no overlap. The solid angle of a
+/// piece is its area times the mean of the projection's density, to the second order in the piece's size.
 ///
 /// \param corners in order around the pixel, in the axes of the face (picture right, up, outward), of any length; may
 ///                reach beyond the face

@@ -198,8 +198,9 @@ private:
     require(status, "", "the header cannot be read");
     if (static_cast<double>(data) + needed > static_cast<double>(file_size_)) {
       fail("NAXIS, BITPIX",
-           fmt::format("the data are cut short: the header promises {:.0f} bytes from byte {} on, the file ends at byte {}",
-                       needed, data, file_size_),
+           fmt::format(
+               "the data are cut short: the header promises {:.0f} bytes from byte {} on, the file ends at byte {}",
+               needed, data, file_size_),
            fetch_remedy);
     }
   }

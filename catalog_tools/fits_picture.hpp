@@ -18,8 +18,8 @@ public:
   /// \param files  one, or one for each channel
   /// \param hdu    counted from 1, the primary one; 0 for the first that holds a picture
   /// \param planes of the third axis, counted from 1, in the order of the channels; empty for all
-  /// Throws Error(file) or Error(input) that name file, HDU and keyword: not FITS, cut short, no picture, other than one
-  /// or three channels, channels of different size.
+  /// Throws Error(file) or Error(input) that name file, HDU and keyword: not FITS, cut short, no picture, other than
+  /// one or three channels, channels of different size.
   FitsPicture(const std::vector<std::filesystem::path>& files, int hdu, const std::vector<int>& planes);
   ~FitsPicture() override;
 

@@ -9,9 +9,7 @@ namespace vesper {
 namespace {
 
 /// IEC 61966-2-1.
-float linear_of_srgb(float v) {
-  return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
-}
+float linear_of_srgb(float v) { return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F); }
 
 } // namespace
 

@@ -103,7 +103,8 @@ std::vector<AnchorSample> samples_of(const PictureStrip& strip, PictureWcs& wcs,
           }
           const double luminance = (xyz * pixel).y;
           if (distance(directions[0], middle) < radius && std::isfinite(luminance)) {
-            samples.push_back({luminance, 4.0 * length(cross(directions[1] - directions[0], directions[2] - directions[0]))});
+            samples.push_back(
+                {luminance, 4.0 * length(cross(directions[1] - directions[0], directions[2] - directions[0]))});
           }
         }
       }
@@ -256,7 +257,8 @@ PanoramaProduct make_panorama(PictureSource& picture, const PictureWcs& wcs, con
     stars.emplace(*options.stars, options.star_file, wcs, picture.width(), picture.height(), options.star_options);
   }
   PanoramaResampler resampler(wcs, options.face_size);
-  // Stars that touch the rows to be spread lie up to a margin beyond them and need another to see their own surroundings.
+  // Stars that touch the rows to be spread lie up to a margin beyond them and need another to see their own
+  // surroundings.
   const int margin = stars ? PanoramaStars::margin_rows : 0;
   PictureStrip strip;
   for (int first = 0; first < picture.height(); first += strip_rows) {

@@ -32,14 +32,15 @@ struct PanoramaOptions {
   int face_size = 1024; ///< least_sky_face to most_sky_face
   ChannelTransform transform;
   PanoramaCalibration calibration = PanoramaCalibration::given;
-  double cd_m2_per_unit = 1.0;            ///< luminance of a picture whose Y, by the transform, is 1
-  const StarCatalogue* stars = nullptr;   ///< for a fit or to be removed; may be null for neither
-  std::string star_file;                  ///< its name in messages
+  double cd_m2_per_unit = 1.0;          ///< luminance of a picture whose Y, by the transform, is 1
+  const StarCatalogue* stars = nullptr; ///< for a fit or to be removed; may be null for neither
+  std::string star_file;                ///< its name in messages
   PanoramaStarOptions star_options;
   MagnitudeRange fit_range;
-  bool fill_saturated = false;            ///< pixels at star_options.saturation and above are holes
-  std::optional<double> missing;          ///< pixels that have this value in all channels are holes
-  /// For pictures tied to anchors: where they are darker than some sixteen of these steps they are smoothed (soften_faint).
+  bool fill_saturated = false;   ///< pixels at star_options.saturation and above are holes
+  std::optional<double> missing; ///< pixels that have this value in all channels are holes
+  /// For pictures tied to anchors: where they are darker than some sixteen of these steps they are smoothed
+  /// (soften_faint).
   double least_value = 0.0;
   double largest_hole_sr = 0.1 * 4.0 * std::numbers::pi; ///< holes above this are no holes but the picture's outside
   /// Called after every strip with the number of rows done since the last call. What it throws ends the work.
@@ -86,7 +87,7 @@ public:
 private:
   CubeSum cube_;
   Mat3 xyz_from_channels_;
-  bool uncalibrated_; ///< then numbers are rounded within 0.025 % too
+  bool uncalibrated_;         ///< then numbers are rounded within 0.025 % too
   std::optional<Vec3> gains_; ///< of channels, that make the map's mean colour that of the Milky Way
 };
 
@@ -96,8 +97,8 @@ struct PanoramaProduct {
 };
 
 /// \param file,place of the picture, for messages: "sky.fits", "HDU 1"
-/// Throws Error(input) for a picture without a single valid pixel, stars of another epoch, a fit without enough stars, and
-/// what reading throws.
+/// Throws Error(input) for a picture without a single valid pixel, stars of another epoch, a fit without enough stars,
+/// and what reading throws.
 [[nodiscard]] PanoramaProduct make_panorama(PictureSource& picture, const PictureWcs& wcs, const std::string& file,
                                             const std::string& place, const PanoramaOptions& options);
 

@@ -98,10 +98,11 @@ ZeroPointFit fit_zero_point(std::span<const MeasuredStar> stars, const ChannelTr
   ZeroPointFit fit;
   const auto require_enough = [&] {
     if (magnitudes.size() < least_stars) {
-      throw Error(ErrorKind::input,
-                  fmt::format("only {} stars of V = {} to {} can be measured for the zero point, at least {} are needed",
-                              magnitudes.size(), range.brightest, range.faintest, least_stars),
-                  {file, "", "Give the zero point with --zero-point, or --calibrate anchors"});
+      throw Error(
+          ErrorKind::input,
+          fmt::format("only {} stars of V = {} to {} can be measured for the zero point, at least {} are needed",
+                      magnitudes.size(), range.brightest, range.faintest, least_stars),
+          {file, "", "Give the zero point with --zero-point, or --calibrate anchors"});
     }
   };
   const std::size_t before = magnitudes.size();
@@ -113,9 +114,9 @@ ZeroPointFit fit_zero_point(std::span<const MeasuredStar> stars, const ChannelTr
                    [&](double m) { return std::abs(m - middle); });
     constexpr double normal_scatter = 1.4826; // of the median deviation
     const double limit = std::max(3.0 * normal_scatter * median(off), 1e-6);
-    magnitudes.erase(std::remove_if(magnitudes.begin(), magnitudes.end(),
-                                    [&](double m) { return std::abs(m - middle) > limit; }),
-                     magnitudes.end());
+    magnitudes.erase(
+        std::remove_if(magnitudes.begin(), magnitudes.end(), [&](double m) { return std::abs(m - middle) > limit; }),
+        magnitudes.end());
   }
   require_enough();
   double sum = 0.0;

@@ -20,8 +20,8 @@ inline constexpr double zero_magnitude_luminance_cd_m2 = 10.8e4;
 /// +infinity for no light.
 [[nodiscard]] double magnitude_of_luminance(double luminance_cd_m2);
 
-/// The colour index B-V of a picture of one channel, and of the whole Milky Way where a picture's colours are not known:
-/// its integrated light is that of a late G star.
+/// The colour index B-V of a picture of one channel, and of the whole Milky Way where a picture's colours are not
+/// known: its integrated light is that of a late G star.
 inline constexpr double milky_way_b_v = 0.75;
 
 /// A linear map from channels to X, Y, Z of any scale.

@@ -36,9 +36,9 @@ struct LightTotal {
   }
 };
 
-/// Spreads rows of a picture over a cube: each pixel, the polygon of great circles through its corners, gives each texel
-/// its brightness times the solid angle of their overlap, so that light is conserved by construction. A single channel
-/// fills the first of three. Works on all cores; the result does not depend on their number.
+/// Spreads rows of a picture over a cube: each pixel, the polygon of great circles through its corners, gives each
+/// texel its brightness times the solid angle of their overlap, so that light is conserved by construction. A single
+/// channel fills the first of three. Works on all cores; the result does not depend on their number.
 class PanoramaResampler {
 public:
   PanoramaResampler(PictureWcs wcs, int face_size) : wcs_(std::move(wcs)), cube_(face_size) {}

@@ -9,11 +9,11 @@
 namespace vesper {
 namespace {
 
-constexpr double ring_px = 3.0;          // width of the ring
-constexpr double growth = 1.5;           // of the aperture, a step
+constexpr double ring_px = 3.0; // width of the ring
+constexpr double growth = 1.5;  // of the aperture, a step
 constexpr int most_growths = 4;
 constexpr double furthest_epoch_yr = 100.0;
-constexpr double clip = 2.5;             // standard deviations
+constexpr double clip = 2.5; // standard deviations
 constexpr int clip_rounds = 3;
 constexpr std::size_t least_ring_pixels = 12;
 constexpr double significant = 3.0;      // standard errors
@@ -29,7 +29,8 @@ struct Plane {
 
   [[nodiscard]] double at(const Vec2& place) const {
     return coefficients.x + coefficients.y * place.x + coefficients.z * place.y;
-  }};
+  }
+};
 
 struct Sample {
   Vec2 place; ///< pixels from the star
@@ -61,11 +62,10 @@ std::optional<Plane> fit_plane(std::vector<Sample> samples) {
     }
     plane.scatter = std::sqrt(squares / static_cast<double>(samples.size() - 3));
     const std::size_t before = samples.size();
-    samples.erase(std::remove_if(samples.begin(), samples.end(),
-                                 [&](const Sample& s) {
-                                   return std::abs(s.value - plane.at(s.place)) > clip * plane.scatter;
-                                 }),
-                  samples.end());
+    samples.erase(
+        std::remove_if(samples.begin(), samples.end(),
+                       [&](const Sample& s) { return std::abs(s.value - plane.at(s.place)) > clip * plane.scatter; }),
+        samples.end());
     if (samples.size() == before) {
       break;
     }
@@ -78,8 +78,8 @@ std::optional<Plane> fit_plane(std::vector<Sample> samples) {
 /// A pixel of a star's surroundings.
 struct PanoramaStars::Pixel {
   int x, y;
-  Vec2 place;            ///< from the star, in pixels of the larger scale, along east and north
-  double distance;       ///< the same
+  Vec2 place;      ///< from the star, in pixels of the larger scale, along east and north
+  double distance; ///< the same
   double solid_angle_sr;
 };
 
@@ -181,7 +181,8 @@ std::vector<PanoramaStars::Pixel> PanoramaStars::pixels_around(const PictureStri
   const int y0 = std::max({static_cast<int>(target.place.y) - reach_y, 0, strip.first_row});
   const int y1 = std::min({static_cast<int>(target.place.y) + reach_y + 1, height_, strip.first_row + strip.rows});
   const Vec3 pole(0.0, 0.0, 1.0);
-  const Vec3 east = normalize(cross(std::abs(target.direction.z) < 0.99 ? pole : Vec3(1.0, 0.0, 0.0), target.direction));
+  const Vec3 east =
+      normalize(cross(std::abs(target.direction.z) < 0.99 ? pole : Vec3(1.0, 0.0, 0.0), target.direction));
   const Vec3 north = cross(target.direction, east);
   std::vector<Pixel> pixels;
   std::vector<Vec2> centres;

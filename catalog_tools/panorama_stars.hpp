@@ -15,16 +15,16 @@ namespace vesper {
 
 struct PanoramaStarOptions {
   bool remove = true;
-  double epoch_jyear = 2000.0;             ///< of the picture: the stars are moved there from their own epoch
-  double radius_px = 3.0;                  ///< of the aperture, in pixels of the larger scale at the star
-  std::optional<double> saturation;        ///< values from here on are cut off
+  double epoch_jyear = 2000.0;      ///< of the picture: the stars are moved there from their own epoch
+  double radius_px = 3.0;           ///< of the aperture, in pixels of the larger scale at the star
+  std::optional<double> saturation; ///< values from here on are cut off
 };
 
 /// A star's light in the picture above the background around it.
 struct MeasuredStar {
-  double magnitude = 0.0;          ///< V of the catalogue
-  double illuminance_lux = 0.0;    ///< of the catalogue
-  std::array<double, 3> light{};   ///< by channel, in the picture's unit times sr
+  double magnitude = 0.0;           ///< V of the catalogue
+  double illuminance_lux = 0.0;     ///< of the catalogue
+  std::array<double, 3> light{};    ///< by channel, in the picture's unit times sr
   bool fit_for_calibration = false; ///< alone in its surroundings, not saturated, not squeezed by the projection
 };
 

@@ -39,14 +39,37 @@ std::string clean_cards(std::string cards) {
   return cards;
 }
 
-std::string quoted(const std::string& ctype) { return ctype.empty() ? "(missing)" : '"' + ctype + '"'; }
-
 std::string trimmed(std::string text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) {
     text.pop_back();
   }
   return text;
 }
+
+/// The keyword of the first card whose text WCSLIB 7.12 would copy beyond its bounds: open to the end of the card, or
+/// longer than axes, units and frames are written. Empty if there is none.
+std::string unsafe_keyword(const std::string& cards) {
+  constexpr std::size_t longest = 24;
+  for (std::size_t at = 0; at < cards.size(); at += card_length) {
+    const std::string_view card = std::string_view(cards).substr(at, card_length);
+    const std::size_t open = card.find_first_not_of(' ', 9);
+    if (card.substr(8, 1) != "=" || open == std::string_view::npos || card[open] != '\'') {
+      continue;
+    }
+    std::size_t close = card.find('\'', open + 1);
+    while (close != std::string_view::npos && card.substr(close + 1, 1) == "'") { // one within the text
+      close = card.find('\'', close + 2);
+    }
+    const bool of_coordinates = card.starts_with("C") || card.starts_with("RADE") || card.starts_with("WCSNAME") ||
+                                card.starts_with("PS") || card.starts_with("SPEC") || card.starts_with("SSYS");
+    if (of_coordinates && (close == std::string_view::npos || close - open > longest) && !card.starts_with("COMMENT")) {
+      return trimmed(std::string(card.substr(0, 8)));
+    }
+  }
+  return "";
+}
+
+std::string quoted(const std::string& ctype) { return ctype.empty() ? "(missing)" : '"' + ctype + '"'; }
 
 /// The letters of CTYPE before the projection: "RA", "GLON".
 std::string axis_letters(const std::string& ctype) { return ctype.substr(0, ctype.find('-')); }
@@ -96,8 +119,7 @@ struct PictureWcs::Parameters {
     std::array<double, 2> x{};
     std::array<double, 2> y{};
     std::array<int, 2> unused{};
-    projection.prjs2x(&projection, 2, 1, 1, 1, longitudes.data(), equator.data(), x.data(), y.data(),
-                      unused.data());
+    projection.prjs2x(&projection, 2, 1, 1, 1, longitudes.data(), equator.data(), x.data(), y.data(), unused.data());
     std::array<double, 4> plane{};
     for (std::size_t i = 0; i < 2; ++i) {
       plane[2 * i + static_cast<std::size_t>(prm.lng)] = x[i];
@@ -124,6 +146,9 @@ PictureWcs::PictureWcs(const std::string& cards, const std::string& file, const 
     throw Error(ErrorKind::input, message, {file, keyword.empty() ? hdu : hdu + ", " + keyword, remedy});
   };
   std::string header = clean_cards(cards);
+  if (const std::string keyword = unsafe_keyword(header); !keyword.empty()) {
+    fail(keyword, "the text is not closed by a quote, or too long for what it names", "Correct the card in the header");
+  }
   struct List {
     int count = 0;
     wcsprm* all = nullptr;
@@ -185,8 +210,14 @@ PictureWcs::PictureWcs(const std::string& cards, const std::string& file, const 
   if (const int status = wcsset(&whole); status != 0) {
     const std::string text = whole.err != nullptr ? whole.err->msg : wcs_errmsg[status];
     std::string keyword;
-    for (const auto& [word, key] : {std::pair("CUNIT1", "CUNIT1"), {"CUNIT2", "CUNIT2"}, {"units", "CUNIT"}, {"inear transformation matrix", "CD, PC, CDELT"},
-                                    {"CTYPE", "CTYPE"}, {"ctype", "CTYPE"}, {"PV", "PV"}, {"projection", "PV"}}) {
+    for (const auto& [word, key] : {std::pair("CUNIT1", "CUNIT1"),
+                                    {"CUNIT2", "CUNIT2"},
+                                    {"units", "CUNIT"},
+                                    {"inear transformation matrix", "CD, PC, CDELT"},
+                                    {"CTYPE", "CTYPE"},
+                                    {"ctype", "CTYPE"},
+                                    {"PV", "PV"},
+                                    {"projection", "PV"}}) {
       if (keyword.empty() && text.find(word) != std::string::npos) {
         keyword = key;
       }
@@ -194,8 +225,8 @@ PictureWcs::PictureWcs(const std::string& cards, const std::string& file, const 
     fail(keyword, "the coordinates make no sense: " + trimmed(text), "Correct the keywords in the header");
   }
   if (whole.lng < 0 || whole.lat < 0) {
-    fail("CTYPE1", fmt::format("no celestial coordinates: CTYPE1 is {}, CTYPE2 is {}", quoted(types[0]),
-                               quoted(types[1])),
+    fail("CTYPE1",
+         fmt::format("no celestial coordinates: CTYPE1 is {}, CTYPE2 is {}", quoted(types[0]), quoted(types[1])),
          no_wcs_remedy);
   }
   if (!wcs_->take(whole) || wcsset(&wcs_->prm) != 0 || wcs_->prm.lng < 0 || wcs_->prm.lat < 0) {

@@ -11,9 +11,9 @@
 namespace vesper {
 
 /// The celestial coordinates of a picture, from its header by the FITS standard (Greisen and Calabretta 2002, A&A 395,
-/// 1061; Calabretta and Greisen 2002, A&A 395, 1077) through WCSLIB: any of its projections, on galactic, supergalactic,
-/// ecliptic or equatorial axes (ICRS, FK5 of any equinox, FK4 of B1950 without E-terms, below 0.4"); CD, PC or CDELT;
-/// defaults where keywords are missing.
+/// 1061; Calabretta and Greisen 2002, A&A 395, 1077) through WCSLIB: any of its projections, on galactic,
+/// supergalactic, ecliptic or equatorial axes (ICRS, FK5 of any equinox, FK4 of B1950 without E-terms, below 0.4"); CD,
+/// PC or CDELT; defaults where keywords are missing.
 ///
 /// Pixel places are in pixels from the outer corner of the first pixel, whose centre is at (0.5, 0.5). Directions are
 /// unit vectors of ICRS axes.

@@ -6,7 +6,7 @@
 namespace vesper {
 namespace {
 
-constexpr int cell_size = 32;          // pixels
+constexpr int cell_size = 32;           // pixels
 constexpr std::size_t nodes_a_side = 3; // of a quadratic
 
 /// The weights of the values at 0, 1/2 and 1 in the quadratic through them.

@@ -63,7 +63,8 @@ extern "C" void note_interrupt(int) { interrupted = 1; }
 /// While it lives an interrupt is noted instead of ending the program, so that nothing is left half done.
 class InterruptWatch {
 public:
-  InterruptWatch() : before_int_(std::signal(SIGINT, note_interrupt)), before_term_(std::signal(SIGTERM, note_interrupt)) {}
+  InterruptWatch()
+      : before_int_(std::signal(SIGINT, note_interrupt)), before_term_(std::signal(SIGTERM, note_interrupt)) {}
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
   ~InterruptWatch() {
@@ -89,7 +90,8 @@ bool is_fits(const std::string& path) {
     return true;
   }
   std::string name = fs::path(path).filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const char* ending : {".fits", ".fit", ".fts", ".fits.gz", ".fit.gz", ".fts.gz", ".fits.fz", ".fz"}) {
     if (name.ends_with(ending)) {
       return true;
@@ -109,7 +111,8 @@ struct OpenedPicture {
 
 PictureWcs wcs_of(const FitsPicture& fits, const PanoramaCommand& command) {
   if (!command.frame.empty()) {
-    return {whole_sky_cards(command.frame, command.origin.value_or(0.0), command.mirrored, fits.width(), fits.height(), false),
+    return {whole_sky_cards(command.frame, command.origin.value_or(0.0), command.mirrored, fits.width(), fits.height(),
+                            false),
             fits.name(), fits.place()};
   }
   PictureWcs wcs(fits.cards(), fits.name(), fits.place());
@@ -147,8 +150,9 @@ OpenedPicture open_picture(const PanoramaCommand& command) {
   if (command.frame.empty()) {
     // A file that is neither FITS nor a picture is called so before anything is asked of the user.
     const ImageRows readable(opened.file);
-    throw Error(ErrorKind::argument, "--frame is missing: the picture does not say where on the sky it lies",
-                {opened.file, "", "Give --frame galactic|icrs|fk5|ecliptic, and --origin for the longitude in its middle"});
+    throw Error(
+        ErrorKind::argument, "--frame is missing: the picture does not say where on the sky it lies",
+        {opened.file, "", "Give --frame galactic|icrs|fk5|ecliptic, and --origin for the longitude in its middle"});
   }
   auto image = std::make_unique<ImagePicture>(opened.file);
   opened.wcs.emplace(whole_sky_cards(command.frame, command.origin.value_or(0.0), command.mirrored, image->width(),
@@ -183,8 +187,9 @@ void choose_calibration(const PanoramaCommand& command, const OpenedPicture& ope
     options.calibration = PanoramaCalibration::anchors;
   } else if (!is_luminance_unit(opened.remarks.unit)) {
     throw Error(ErrorKind::input,
-                opened.remarks.unit.empty() ? "the unit of the values is missing"
-                                            : fmt::format("values in \"{}\" have no known luminance", opened.remarks.unit),
+                opened.remarks.unit.empty()
+                    ? "the unit of the values is missing"
+                    : fmt::format("values in \"{}\" have no known luminance", opened.remarks.unit),
                 {opened.file, opened.place + ", BUNIT",
                  "Give --calibrate stars for a linear picture, --calibrate anchors for another, or --zero-point"});
   }
@@ -194,14 +199,14 @@ std::string calibration_text(const PanoramaOptions& options, const PanoramaRepor
   if (r.fit) {
     return fmt::format("fitted to {} stars ({} rejected): {:.6e} cd/m2 per unit of Y ({:.4f} mag/arcsec2), residual "
                        "{:.3f} mag a star; transform {}",
-                       r.fit->stars, r.fit->rejected, r.fit->cd_m2_per_unit, magnitude_of_luminance(r.fit->cd_m2_per_unit),
-                       r.fit->residual_mag, options.transform.name);
+                       r.fit->stars, r.fit->rejected, r.fit->cd_m2_per_unit,
+                       magnitude_of_luminance(r.fit->cd_m2_per_unit), r.fit->residual_mag, options.transform.name);
   }
   if (r.anchors) {
     return fmt::format("uncalibrated: tied to {} mag/arcsec2 in Sagittarius and {} at the anticentre by {:.4e} cd/m2 x "
                        "Y^{:.3f}, mean colour that of B-V = {}, colours halved; transform {}",
-                       *sky_fields()[3].anchor_mag_arcsec2, *sky_fields()[2].anchor_mag_arcsec2,
-                       r.anchors->scale_cd_m2, r.anchors->exponent, milky_way_b_v, options.transform.name);
+                       *sky_fields()[3].anchor_mag_arcsec2, *sky_fields()[2].anchor_mag_arcsec2, r.anchors->scale_cd_m2,
+                       r.anchors->exponent, milky_way_b_v, options.transform.name);
   }
   return fmt::format("{}: {:.6e} cd/m2 per unit of Y ({:.4f} mag/arcsec2); transform {}",
                      is_luminance_unit(opened.remarks.unit) ? "by BUNIT" : "given", options.cd_m2_per_unit,
@@ -252,9 +257,8 @@ Json report_json(const PanoramaReport& r, const SkyMapProvenance& p, const Opene
                    {"cd_m2_per_unit", r.fit->cd_m2_per_unit}};
   }
   if (r.stars) {
-    json["stars"] = {{"in_picture", r.stars->in_picture},
-                     {"found", r.stars->found},
-                     {"catalogue_lux", r.stars->catalogue_lux}};
+    json["stars"] = {
+        {"in_picture", r.stars->in_picture}, {"found", r.stars->found}, {"catalogue_lux", r.stars->catalogue_lux}};
   }
   Json fields = Json::object();
   for (const FieldLight& f : r.fields) {
@@ -268,9 +272,9 @@ Json report_json(const PanoramaReport& r, const SkyMapProvenance& p, const Opene
 
 std::string report_text(const PanoramaReport& r, const SkyMapProvenance& p, const OpenedPicture& opened, int face) {
   std::string text = fmt::format("source       {} (SHA-256 {})\n", p.source_files, p.source_sha256);
-  text += fmt::format("             {} x {} pixels, {} channel{}, {}\n", opened.picture->width(),
-                      opened.picture->height(), opened.picture->channels(), opened.picture->channels() == 1 ? "" : "s",
-                      p.coordinates);
+  text +=
+      fmt::format("             {} x {} pixels, {} channel{}, {}\n", opened.picture->width(), opened.picture->height(),
+                  opened.picture->channels(), opened.picture->channels() == 1 ? "" : "s", p.coordinates);
   text += fmt::format("map          6 faces of {0} x {0}\n", face);
   text += fmt::format("calibration  {}\n", p.calibration);
   if (r.stars) {
@@ -306,7 +310,8 @@ std::string content_options(const PanoramaCommand& c, const PanoramaOptions& opt
   const auto add = [&](bool given, const std::string& option) { text += given ? " " + option : ""; };
   add(c.hdu != 0, fmt::format("--hdu {}", c.hdu));
   add(!c.planes.empty(), fmt::format("--planes {}", fmt::join(c.planes, ",")));
-  add(!c.frame.empty(), fmt::format("--frame {} --origin {}{}", c.frame, c.origin.value_or(0.0), c.mirrored ? " --mirrored" : ""));
+  add(!c.frame.empty(),
+      fmt::format("--frame {} --origin {}{}", c.frame, c.origin.value_or(0.0), c.mirrored ? " --mirrored" : ""));
   add(!c.calibrate.empty(), "--calibrate " + c.calibrate);
   add(c.zero_point.has_value(), fmt::format("--zero-point {}", c.zero_point.value_or(0.0)));
   add(!c.stars.empty(), "--stars " + fs::path(c.stars).filename().string());
@@ -345,8 +350,8 @@ void run_panorama(const PanoramaCommand& command) {
   PanoramaOptions options;
   options.face_size = command.face;
   const std::string usual_transform = opened.picture->channels() == 1 ? "mono" : "srgb";
-  options.transform = channel_transform(command.transform.empty() ? usual_transform : command.transform,
-                                        opened.picture->channels());
+  options.transform =
+      channel_transform(command.transform.empty() ? usual_transform : command.transform, opened.picture->channels());
   choose_calibration(command, opened, options);
   options.missing = command.missing;
   options.least_value = opened.least_value;
@@ -397,9 +402,11 @@ void run_panorama(const PanoramaCommand& command) {
     });
     spdlog::info("wrote {} ({} bytes)", command.output, fs::file_size(command.output));
   }
-  write_standard_output(command.json
-                            ? report_json(product->report, p, opened, command.face).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
-                            : report_text(product->report, p, opened, command.face));
+  write_standard_output(
+      command.json
+          ? report_json(product->report, p, opened, command.face).dump(2, ' ', false, Json::error_handler_t::replace) +
+                "\n"
+          : report_text(product->report, p, opened, command.face));
 }
 
 } // namespace
@@ -430,8 +437,9 @@ std::function<void()> add_panorama_command(CLI::App& app) {
   panorama->add_flag("--mirrored", c.mirrored, "Longitude grows to the right in it, not to the left");
   panorama->add_option("--transform", c.transform, "From channels to X, Y, Z: srgb, mono, or nine numbers, X first")
       ->type_name("NAME");
-  panorama->add_option("--calibrate", c.calibrate,
-                       "stars: fit the zero point to stars of a linear picture; anchors: tie another to published figures")
+  panorama
+      ->add_option("--calibrate", c.calibrate,
+                   "stars: fit the zero point to stars of a linear picture; anchors: tie another to published figures")
       ->check(CLI::IsMember({"stars", "anchors"}));
   panorama->add_option("--zero-point", c.zero_point, "V mag/arcsec2 of a picture whose Y is 1")
       ->type_name("MAG")

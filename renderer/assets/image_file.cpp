@@ -90,8 +90,9 @@ void write_exr_rows(const std::filesystem::path& path, int width, int height, co
     const auto output = OIIO::ImageOutput::create("exr", &file);
     const auto require = [&](bool done) {
       if (!done) {
-        throw Error(ErrorKind::file, "cannot be written: " + (output ? output->geterror() : OIIO::geterror()),
-                    {path.string(), "", "Free some space or choose another place; the earlier file, if any, is unchanged"});
+        throw Error(
+            ErrorKind::file, "cannot be written: " + (output ? output->geterror() : OIIO::geterror()),
+            {path.string(), "", "Free some space or choose another place; the earlier file, if any, is unchanged"});
       }
     };
     require(output && output->open(path.string(), spec));

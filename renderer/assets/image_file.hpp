@@ -25,8 +25,8 @@ void write_exr(const std::filesystem::path& path, int width, int height, std::sp
 void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
                std::span<const float> values, const ImageMetadata& metadata);
 
-/// The same for pictures that are too large to be held twice: `fill_rows` is called for consecutive rows, a few at a time,
-/// and fills the span, whose size is a multiple of `width` times `channels.size()`.
+/// The same for pictures that are too large to be held twice: `fill_rows` is called for consecutive rows, a few at a
+/// time, and fills the span, whose size is a multiple of `width` times `channels.size()`.
 void write_exr_rows(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
                     const ImageMetadata& metadata,
                     const std::function<void(int first_row, std::span<float> values)>& fill_rows);

@@ -42,7 +42,8 @@ struct SkyMap {
 /// Replaces the file whole or not at all; the same map gives the same bytes. Throws Error(argument) for a size out of
 /// range, Error(file).
 ///
-/// \param fill_rows is called for consecutive rows of texels, first_row to 6 face_size, and fills the span with X, Y, Z, S
+/// \param fill_rows is called for consecutive rows of texels, first_row to 6 face_size, and fills the span with X, Y,
+/// Z, S
 void write_sky_map(const std::filesystem::path& path, int face_size, const SkyMapProvenance& provenance,
                    const std::function<void(int first_row, std::span<float> xyzs)>& fill_rows);
 void write_sky_map(const std::filesystem::path& path, const SkyMap& map);

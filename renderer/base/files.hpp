@@ -21,8 +21,8 @@ using Bytes = std::vector<std::byte>;
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> data);
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
 
-/// The same for content that is too large for memory: `write` fills the temporary file, whose path it gets. What it throws
-/// leaves `path` as it was.
+/// The same for content that is too large for memory: `write` fills the temporary file, whose path it gets. What it
+/// throws leaves `path` as it was.
 void write_file_atomically(const std::filesystem::path& path,
                            const std::function<void(const std::filesystem::path& temporary)>& write);
 

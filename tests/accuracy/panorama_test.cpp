@@ -104,7 +104,8 @@ TEST(PanoramaAccuracy, AConstantSkyStaysConstant) {
       ErrorSum error;
       for (std::size_t i = 0; i < map.cube().sums.size(); ++i) {
         // TAN is a part of the sky, whose end is not filled.
-        if (projection != "TAN" || lies_inside(header, wcs, cube_texel(face_size, i).direction, 2.0 + 400.0 / face_size)) {
+        if (projection != "TAN" ||
+            lies_inside(header, wcs, cube_texel(face_size, i).direction, 2.0 + 400.0 / face_size)) {
           error.add(100.0 * (static_cast<double>(map.texel(i)[1]) / 3.0 - 1.0));
         }
       }
@@ -186,8 +187,8 @@ TEST(PanoramaAccuracy, PointSourcesStayInPlace) {
 }
 
 TEST(PanoramaAccuracy, RealGeometry) {
-  // 3600 x 1800, CD matrix alone, no CRVAL, no LONPOLE: column 1800.950026799 is galactic longitude 0, row 900.950013387949
-  // latitude 0, 0.099999998509884 degrees a pixel.
+  // 3600 x 1800, CD matrix alone, no CRVAL, no LONPOLE: column 1800.950026799 is galactic longitude 0, row
+  // 900.950013387949 latitude 0, 0.099999998509884 degrees a pixel.
   PictureWcs wcs(real_cards(), "mwpan2_RGB_3600.hdr", "HDU 1");
   wcs.require_on_sphere(3600, 1800);
   const auto galactic = [](double column, double row) {
@@ -233,7 +234,8 @@ TEST(PanoramaAccuracy, RealGeometry) {
   flux.hold("Total light of a band in the real geometry", 0.1, "%");
   Vec3 sum(0.0);
   for (std::size_t i = 0; i < product.map.cube().sums.size(); ++i) {
-    sum += static_cast<double>(product.map.texel(i)[2]) * cube_texel(512, i).solid_angle_sr * cube_texel(512, i).direction;
+    sum +=
+        static_cast<double>(product.map.texel(i)[2]) * cube_texel(512, i).solid_angle_sr * cube_texel(512, i).direction;
   }
   ErrorSum point;
   point.add(test::separation(galactic_from_icrs * sum, galactic(1235, 1301)).to(deg) / 0.1);
@@ -286,7 +288,8 @@ struct StarrySky {
       const double peak = static_cast<double>(star.illuminance) / (2.0 * std::numbers::pi * sigma * sigma) / unit;
       const double stretch = 1.0 / std::max(std::cos((place.y - 900.0) * 0.1 * deg.to(rad)), 1e-3);
       const int reach_x = std::min(static_cast<int>(std::ceil(7.0 * stretch)), 1799);
-      for (int y = std::max(static_cast<int>(place.y) - 7, 0); y <= std::min(static_cast<int>(place.y) + 7, 1799); ++y) {
+      for (int y = std::max(static_cast<int>(place.y) - 7, 0); y <= std::min(static_cast<int>(place.y) + 7, 1799);
+           ++y) {
         for (int step = -reach_x; step <= reach_x; ++step) {
           const int x = (static_cast<int>(place.x) + step + 3600) % 3600;
           const double apart = distance(wcs.direction({x + 0.5, y + 0.5}), normalize(direction)) / sigma;
@@ -362,8 +365,8 @@ TEST(PanoramaAccuracy, StarsGiveTheZeroPointAndGo) {
 }
 
 TEST(PanoramaAccuracy, FramesAgree) {
-  // One place, Vega's at J2000, written in five frames: galactic and ecliptic as catalogues print it, B1950 by ERFA for a
-  // star without motion (with the E-terms of aberration, up to 0.34").
+  // One place, Vega's at J2000, written in five frames: galactic and ecliptic as catalogues print it, B1950 by ERFA for
+  // a star without motion (with the E-terms of aberration, up to 0.34").
   double ra_1950 = 0.0;
   double dec_1950 = 0.0;
   double unused = 0.0;
@@ -378,7 +381,8 @@ TEST(PanoramaAccuracy, FramesAgree) {
   const std::vector<Case> cases{
       {"RA--", "DEC-", 279.2347348, 38.7836889, test::card("RADESYS", "ICRS"), 0.001},
       {"RA--", "DEC-", 279.2347348, 38.7836889, test::card("RADESYS", "FK5") + test::card("EQUINOX", 2000.0), 0.05},
-      {"RA--", "DEC-", (ra_1950 * rad).to(deg), (dec_1950 * rad).to(deg), test::card("RADESYS", "FK4") + test::card("EQUINOX", 1950.0), 0.4},
+      {"RA--", "DEC-", (ra_1950 * rad).to(deg), (dec_1950 * rad).to(deg),
+       test::card("RADESYS", "FK4") + test::card("EQUINOX", 1950.0), 0.4},
       {"GLON", "GLAT", 67.4482, 19.2373, "", 0.4},
       {"ELON", "ELAT", 285.3171, 61.7326, "", 2.0},
   };

@@ -88,7 +88,10 @@ inline SkyHeader header_in(const std::string& projection, int finer = 2) {
   header.scale_deg = 1.0 / finer;
   const bool zenithal = projection == "ZEA" || projection == "TAN";
   // ZEA ends at a radius of 2 rad; TAN here at 45 degrees; MOL and AIT at 162 x 81.
-  const double half_width = projection == "ZEA" ? 114.7 : projection == "TAN" ? 57.3 : projection == "CAR" || projection == "HPX" ? 180.0 : 162.1;
+  const double half_width = projection == "ZEA"                          ? 114.7
+                            : projection == "TAN"                        ? 57.3
+                            : projection == "CAR" || projection == "HPX" ? 180.0
+                                                                         : 162.1;
   const double half_height = zenithal ? half_width : projection == "CAR" || projection == "HPX" ? 90.0 : 81.1;
   header.width = static_cast<int>(std::ceil(2.0 * half_width * finer));
   header.height = static_cast<int>(std::ceil(2.0 * half_height * finer));

@@ -24,7 +24,14 @@ constexpr int height = 18;
 class FitsPictures : public test::FolderTest {
 protected:
   static FitsContent ramp() {
-    FitsContent content{width, height, 1, FLOAT_IMG, 0, false, SkyHeader{"CAR", "GLON", "GLAT", width, height, 10.0, 0.0, 0.0, ""}.cards(), {}};
+    FitsContent content{width,
+                        height,
+                        1,
+                        FLOAT_IMG,
+                        0,
+                        false,
+                        SkyHeader{"CAR", "GLON", "GLAT", width, height, 10.0, 0.0, 0.0, ""}.cards(),
+                        {}};
     for (int i = 0; i < width * height; ++i) {
       content.values.push_back(static_cast<float>(i % 200));
     }
@@ -54,10 +61,12 @@ protected:
       }
     }
   }
-  void expect_file_error(const std::string& name, const std::string& place, const std::vector<std::string>& words) const {
+  void expect_file_error(const std::string& name, const std::string& place,
+                         const std::vector<std::string>& words) const {
     expect_error([&] { FitsPicture({path(name)}, 0, {}); }, name, place, words);
   }
-  void expect_wcs_error(const std::string& cards, const std::string& place, const std::vector<std::string>& words) const {
+  void expect_wcs_error(const std::string& cards, const std::string& place,
+                        const std::vector<std::string>& words) const {
     expect_error([&] { PictureWcs(cards, "made.fits", "HDU 1"); }, "made.fits", place, words);
   }
 };
@@ -156,8 +165,11 @@ TEST_F(FitsPictures, BrokenFilesAreNamed) {
   empty.width = 18;
   empty.height = 36;
   write("other.fits", empty);
-  expect_error([&] { FitsPicture({path("one.fits"), path("other.fits"), path("one.fits")}, 0, {}); }, "other.fits",
-               "NAXIS1", {"18 x 36", "36 x 18"});
+  expect_error(
+      [&] {
+        FitsPicture({path("one.fits"), path("other.fits"), path("one.fits")}, 0, {});
+      },
+      "other.fits", "NAXIS1", {"18 x 36", "36 x 18"});
 }
 
 TEST_F(FitsPictures, HeadersThatMakeNoSenseAreNamed) {
@@ -179,7 +191,8 @@ TEST_F(FitsPictures, HeadersThatMakeNoSenseAreNamed) {
 }
 
 TEST_F(FitsPictures, MatrixFormsAndDefaultsMeanTheSame) {
-  const std::string types = card("CTYPE1", "GLON-AIT") + card("CTYPE2", "GLAT-AIT") + card("CRPIX1", 18.5) + card("CRPIX2", 9.5);
+  const std::string types =
+      card("CTYPE1", "GLON-AIT") + card("CTYPE2", "GLAT-AIT") + card("CRPIX1", 18.5) + card("CRPIX2", 9.5);
   const std::string cdelt = types + card("CDELT1", -9.0) + card("CDELT2", 9.0);
   const std::string pc = cdelt + card("PC1_1", 1.0) + card("PC2_2", 1.0) + card("CRVAL1", 0.0) + card("CRVAL2", 0.0) +
                          card("LONPOLE", 0.0) + card("CUNIT1", "deg") + card("CUNIT2", "deg");

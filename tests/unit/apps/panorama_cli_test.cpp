@@ -29,7 +29,8 @@ protected:
   PanoramaCli() : CommandLineTest("vesper-catalog", "panorama") {}
 
   static FitsContent sky(const std::string& more = card("BUNIT", "cd/m2")) {
-    FitsContent content{72, 36, 1, FLOAT_IMG, 0, false, SkyHeader{"CAR", "GLON", "GLAT", 72, 36, 5.0, 0.0, 0.0, more}.cards(), {}};
+    FitsContent content{
+        72, 36, 1, FLOAT_IMG, 0, false, SkyHeader{"CAR", "GLON", "GLAT", 72, 36, 5.0, 0.0, 0.0, more}.cards(), {}};
     content.values.assign(72U * 36U, 0.25F);
     return content;
   }
@@ -68,7 +69,8 @@ TEST_F(PanoramaCli, FaultyInputLeavesTheOldOutput) {
   write("text.txt", "no picture");
   expect_failure(1, "text.txt -o out.exr", {"text.txt", "cannot be read"});
   write_fits("unit.fits", sky(""));
-  expect_failure(1, "unit.fits -o out.exr", {"unit.fits: HDU 1, BUNIT: the unit of the values is missing", "--calibrate"});
+  expect_failure(1, "unit.fits -o out.exr",
+                 {"unit.fits: HDU 1, BUNIT: the unit of the values is missing", "--calibrate"});
   write_fits("counts.fits", sky(card("BUNIT", "counts/s")));
   expect_failure(1, "counts.fits -o out.exr", {"HDU 1, BUNIT", "\"counts/s\""});
   FitsContent blank = sky();
@@ -151,12 +153,19 @@ TEST_F(PanoramaCli, WrongOptionsExitWith2) {
 }
 
 TEST_F(PanoramaCli, AnInterruptLeavesTheOldOutputAndNoOther) {
-  FitsContent large{3600, 1800, 1, FLOAT_IMG, 0, false, SkyHeader{"AIT", "GLON", "GLAT", 3600, 1800, 0.1, 0.0, 0.0, card("BUNIT", "cd/m2")}.cards(), std::vector<float>(3600U * 1800U, 1.0F)};
+  FitsContent large{3600,
+                    1800,
+                    1,
+                    FLOAT_IMG,
+                    0,
+                    false,
+                    SkyHeader{"AIT", "GLON", "GLAT", 3600, 1800, 0.1, 0.0, 0.0, card("BUNIT", "cd/m2")}.cards(),
+                    std::vector<float>(3600U * 1800U, 1.0F)};
   write_fits("in.fits", large);
   write("out.exr", "an earlier file");
   // The shell that becomes the program tells its own number to one that waits.
-  const CommandResult stopped = run("in.fits -o out.exr --face 1024",
-                                    "me=$(exec sh -c 'echo $PPID'); { sleep 0.3; kill -INT $me; } & :");
+  const CommandResult stopped =
+      run("in.fits -o out.exr --face 1024", "me=$(exec sh -c 'echo $PPID'); { sleep 0.3; kill -INT $me; } & :");
   EXPECT_NE(stopped.err.find("interrupted"), std::string::npos) << stopped.err;
   EXPECT_EQ(stopped.status, 1);
   EXPECT_TRUE(text("out.exr") == "an earlier file");
