@@ -15,8 +15,13 @@ constexpr std::int64_t strip_pixels = std::int64_t{1} << 25;
 
 int strip_rows(const View& view, int limit) {
   const auto by_memory = std::max<std::int64_t>(1, strip_pixels / view.width);
-  const auto rows = std::min<std::int64_t>({view.height, largest_texture_side(), by_memory});
-  return static_cast<int>(limit > 0 ? std::min<std::int64_t>(rows, limit) : rows);
+  const auto fitting = std::min<std::int64_t>(largest_texture_side(), by_memory);
+  const auto most = static_cast<int>(limit > 0 ? std::min<std::int64_t>(fitting, limit) : fitting);
+  if (most >= view.height) {
+    return view.height;
+  }
+  // From even rows on: drivers read maps for two by two pixels together.
+  return most > 1 ? most - most % 2 : most;
 }
 
 template <class T>
