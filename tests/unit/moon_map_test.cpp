@@ -21,10 +21,10 @@ TEST(CubeMap, ATexelLiesWhereTheProjectionHasIt) {
   constexpr int n = 6;
   const f64::PixelFrame frame{f64::projection_cubemap, {n, 6 * n}, 0.5 * n};
   for (std::size_t i = 0; i < cube_texel_count(n); ++i) {
-    const auto column = static_cast<double>(i % n);
-    const auto row = static_cast<double>(i / n);
+    const std::size_t column = i % n;
+    const std::size_t row = i / n;
     Vec3 view;
-    ASSERT_TRUE(f64::unproject({column + 0.5, row + 0.5}, frame, view));
+    ASSERT_TRUE(f64::unproject({static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5}, frame, view));
     EXPECT_LT(glm::length(f64::cube_from_view(view) - cube_texel(n, i).direction), 1e-14) << i;
   }
 }
