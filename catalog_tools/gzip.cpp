@@ -3,8 +3,13 @@
 #include "vesper/base/error.hpp"
 
 #include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
 #include <limits>
 #include <memory>
+#include <unistd.h>
 #include <zlib.h>
 
 namespace vesper {
@@ -63,5 +68,50 @@ Bytes gunzip(std::span<const std::byte> bytes, const std::string& file, std::siz
   }
   return unpacked;
 }
+
+UnpackedFile::UnpackedFile(const std::filesystem::path& path) {
+  const auto no_room = [](const char* what) {
+    return Error(ErrorKind::file, std::string(what) + ": " + std::strerror(errno),
+                 {std::filesystem::temp_directory_path().string(), "",
+                  "Free some space or let TMPDIR name a folder that can be written"});
+  };
+  std::string name = (std::filesystem::temp_directory_path() / "vesper-XXXXXX").string();
+  descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw no_room("no temporary file can be made");
+  }
+  ::unlink(name.c_str());
+  const std::unique_ptr<gzFile_s, decltype(&gzclose)> packed(gzopen(path.c_str(), "rb"), &gzclose);
+  std::array<std::byte, 1 << 16> buffer{};
+  int count = packed ? 1 : -1;
+  std::size_t written = 0;
+  try {
+    while (count > 0) {
+      count = gzread(packed.get(), buffer.data(), static_cast<unsigned>(buffer.size()));
+      for (int at = 0; at < count;) {
+        const ssize_t step = ::write(descriptor_, buffer.data() + at, static_cast<std::size_t>(count - at));
+        if (step < 0) {
+          throw no_room("the file cannot be unpacked");
+        }
+        at += static_cast<int>(step);
+        written += static_cast<std::size_t>(step);
+      }
+    }
+    int status = Z_OK;
+    const char* said = packed ? gzerror(packed.get(), &status) : "cannot be opened";
+    if (count < 0 || status == Z_BUF_ERROR) {
+      fail(path.string(), written,
+           status == Z_BUF_ERROR ? "the gzip data is truncated (byte of what it unpacks to)"
+                                 : std::string("the gzip data is corrupt: ") + said);
+    }
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+UnpackedFile::~UnpackedFile() { ::close(descriptor_); }
+
+std::filesystem::path UnpackedFile::path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
 
 } // namespace vesper

@@ -28,4 +28,7 @@ picture() {
 picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --size 1024x1024
 picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
 picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800
+"$render" --quiet --time 2026-03-18T21:00:00Z --latitude 28.3 --longitude -16.5 --height 2400 --seed 1 --projection perspective \
+  --azimuth 270 --altitude 25 --fov 70 --size 1200x800 --solar-flux 80 -o docs/pictures/zodiacal.png
+echo docs/pictures/zodiacal.png
 dusk dusk --projection perspective --azimuth 285 --altitude 20 --fov 60 --size 1200x600

@@ -24,13 +24,15 @@ struct DiscCell {
   float sin_altitude; // as it is seen
 };
 
-// Luminance behind the air that a cell adds, and what it hides.
+// Luminance above the air that a cell adds, and what it hides.
 vec4 disc_light(DiscCell cell, out float hidden);
 // How much finer than a pixel is worth looking there: 1 where the pixel will do.
 int disc_cells(DiscCell pixel);
 
 vec4 behind_air(vec4 light, float sin_altitude) {
-#ifdef CHEAP
+#ifdef LAMBERT
+  return light; // the yardstick's
+#elif defined(CHEAP)
   return modulate_xyzs(light, extinction(block.optical_depth, optical_path(sin_altitude, block.height_km)));
 #else
   return light * star_extinction(sin_altitude, light, block.extinction, extinction_table);
@@ -40,6 +42,14 @@ vec4 behind_air(vec4 light, float sin_altitude) {
 // Width of a cell in a direction of the disc.
 float width_along(DiscCell cell, vec2 toward) {
   return length(vec2(dot(cell.across, toward), dot(cell.down, toward)));
+}
+
+// Whether a pixel may show some of the disc: its corners are half of both its edges away, with a fifth to spare for
+// edges that are not straight, and more where it is wider than the disc.
+bool meets_disc(DiscCell pixel) {
+  float extent = length(pixel.across) + length(pixel.down);
+  float reach = 1.0 + (extent < 2.0 ? 0.6 : 1.0) * extent;
+  return dot(pixel.place, pixel.place) < reach * reach;
 }
 
 // A pixel's edge is cut into that many cells at most.
@@ -92,13 +102,14 @@ void main() {
   }
   float hidden;
   if (cells == 1) {
-    luminance = disc_light(pixel, hidden);
+    luminance = behind_air(disc_light(pixel, hidden), pixel.sin_altitude);
     cover = vec4(hidden);
     return;
   }
-  // The mean over the pixel's solid angle.
+  // The mean over the pixel's solid angle, whose air is that of where its light is.
   PixelFrame frame = PixelFrame(PROJECTION, block.size, block.focal);
   vec4 light = vec4(0.0);
+  float altitude = 0.0;
   float covered = 0.0;
   float weights = 0.0;
   for (int row = 0; row < cells; ++row) {
@@ -107,13 +118,15 @@ void main() {
       DiscCell cell;
       if (cell_of(pixel, at, off, 1.0 / float(cells), cell)) {
         float weight = 1.0 / max(pixels_per_steradian(at + off, frame), 1.0e-6);
-        light += weight * disc_light(cell, hidden);
+        vec4 of_cell = weight * disc_light(cell, hidden);
+        light += of_cell;
+        altitude += of_cell.y * cell.sin_altitude;
         covered += weight * hidden;
         weights += weight;
       }
     }
   }
   weights = max(weights, 1.0e-30);
-  luminance = light / weights;
+  luminance = behind_air(light / weights, light.y > 0.0 ? altitude / light.y : pixel.sin_altitude);
   cover = vec4(covered / weights);
 }

@@ -14,10 +14,7 @@ layout(binding = 3) uniform sampler2D eclipse_table;
 // OpenGL counts a cube's directions left-handed.
 vec3 on_cube(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
 
-int disc_cells(DiscCell pixel) {
-  float reach = 1.0 + length(pixel.across) + length(pixel.down);
-  return dot(pixel.place, pixel.place) > reach * reach ? 0 : cells_for(pixel);
-}
+int disc_cells(DiscCell pixel) { return meets_disc(pixel) ? cells_for(pixel) : 0; }
 
 vec4 disc_light(DiscCell cell, out float hidden) {
   float r = length(cell.place);
@@ -42,5 +39,5 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   eclipse = lunar_eclipse_shares(point_km, moon.shadow, moon.eclipse, eclipse_table);
 #endif
   vec4 light = moon_luminance(surface.x, normal, relief, to_observer, moon.lighting, eclipse);
-  return behind_air(light, cell.sin_altitude) * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
+  return light * (hidden * disc_dimming(place, block.disc.sine, block.disc.scale));
 }

@@ -32,24 +32,19 @@ void main() {
   }
   vec3 direction = horizon_from_view * view;
   float depth = horizon_sin_altitude - direction.z;
-  bool below = depth > 0.0;
-  float row = sky_map_row(direction.z, below, map_frame());
-  // The halves of the map meet at the horizon, and a pixel there has its share of both, as in ground.frag.
-  vec2 texels = vec2(textureSize(map, 0));
-  float rows_below = float(block.map_rows_below);
-  float rows_above = float(block.map_rows_above);
-  float place = rows_below + (below ? -0.5 - row * (rows_below - 1.0) : 0.5 + min(row, 1.0) * (rows_above - 1.0));
   float cover = 0.5 + depth * min(sqrt(pixels_per_steradian(at, frame)), 1.0e7);
-  place = cover > 0.0 && cover < 1.0 ? rows_below + 0.5 - cover : place;
-  float column = 0.5 + sky_map_column(vec2(direction)) * (texels.x - 1.0);
+  vec2 texels = vec2(textureSize(map, 0));
+  vec2 rows = vec2(block.map_rows_below, block.map_rows_above);
+  float row;
+  vec2 place = sky_map_texel(direction, depth, cover, rows, texels.x, map_frame(), row);
 #ifdef PEAK
   float cos_angle = dot(direction, block.lights[light].apparent.xyz);
   float steps = float(textureSize(phase, 0) - 1);
   float peak = textureLod(phase, (min(sky_peak_place(cos_angle), 1.0) * steps + 0.5) / (steps + 1.0), 0.0).x;
-  place += float(1 + light) * (rows_below + rows_above);
-  vec4 light_here = peak * exp2(textureLod(map, vec2(column, place) / texels, 0.0));
+  place.y += float(1 + light) * (rows.x + rows.y);
+  vec4 light_here = peak * exp2(textureLod(map, place / texels, 0.0));
 #else
-  vec4 light_here = exp2(textureLod(map, vec2(column, place) / texels, 0.0));
+  vec4 light_here = exp2(textureLod(map, place / texels, 0.0));
 #endif
   // Over the limb there is no air.
   luminance = row <= 1.0001 ? light_here : vec4(0.0);

@@ -4,15 +4,12 @@
 #include "sun_block.glsl"
 
 int disc_cells(DiscCell pixel) {
-  float reach = 1.0 + length(pixel.across) + length(pixel.down);
-  if (dot(pixel.place, pixel.place) > reach * reach) {
 #ifdef CORONA
-    return 1;
+  const int beside_disc = 1;
 #else
-    return 0;
+  const int beside_disc = 0;
 #endif
-  }
-  return cells_for(pixel);
+  return meets_disc(pixel) ? cells_for(pixel) : beside_disc;
 }
 
 // Share of a cell that the Moon leaves free.
@@ -48,6 +45,5 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   if (free == 0.0 || light.y == 0.0) {
     return vec4(0.0);
   }
-  return behind_air(light, cell.sin_altitude) *
-         (free * disc_dimming(cell.place, block.disc.sine, block.disc.scale));
+  return light * (free * disc_dimming(cell.place, block.disc.sine, block.disc.scale));
 }

@@ -10,6 +10,7 @@ namespace vesper {
 
 [[nodiscard]] std::function<void()> add_stars_command(CLI::App& app);
 [[nodiscard]] std::function<void()> add_moon_command(CLI::App& app);
+[[nodiscard]] std::function<void()> add_panorama_command(CLI::App& app);
 [[nodiscard]] std::function<void()> add_info_command(CLI::App& app);
 [[nodiscard]] std::function<void()> add_check_command(CLI::App& app);
 

@@ -36,15 +36,17 @@ template <class Node> std::string printed(const Node& node) {
 /// The value as an option's text, or nothing when its type does not fit.
 std::optional<std::string> value_text(const toml::node& node, SceneValueKind kind) {
   const bool wants_text = kind == SceneValueKind::text || kind == SceneValueKind::time ||
-                          kind == SceneValueKind::list || kind == SceneValueKind::name_or_file;
+                          kind == SceneValueKind::list || kind == SceneValueKind::name_or_file ||
+                          kind == SceneValueKind::number_or_text;
+  const bool wants_number = kind == SceneValueKind::number || kind == SceneValueKind::number_or_text;
   if (const auto* text = node.as_string(); text != nullptr && wants_text) {
     return text->get();
   }
   if (const auto* integer = node.as_integer();
-      integer != nullptr && (kind == SceneValueKind::number || kind == SceneValueKind::integer)) {
+      integer != nullptr && (wants_number || kind == SceneValueKind::integer)) {
     return fmt::format("{}", integer->get());
   }
-  if (const auto* number = node.as_floating_point(); number != nullptr && kind == SceneValueKind::number) {
+  if (const auto* number = node.as_floating_point(); number != nullptr && wants_number) {
     return fmt::format("{}", number->get());
   }
   if (kind == SceneValueKind::time && (node.is_date_time() || node.is_date())) {
@@ -72,6 +74,8 @@ const char* wanted(SceneValueKind kind) {
     return "a string or a date-time";
   case SceneValueKind::number:
     return "a number";
+  case SceneValueKind::number_or_text:
+    return "a number or a string";
   case SceneValueKind::integer:
     return "an integer";
   case SceneValueKind::list:

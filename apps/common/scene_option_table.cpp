@@ -1,10 +1,12 @@
 #include "common/scene_option_table.hpp"
 
 #include "common/option_text.hpp"
+#include "common/sky_glow_text.hpp"
 
 #include "vesper/atmosphere/earth_shadow_load.hpp"
 #include "vesper/atmosphere/medium_file.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/light/night_light.hpp"
 
 #include <fmt/format.h>
 
@@ -223,6 +225,42 @@ std::string apply_sky(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_solar_flux(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, lowest_solar_flux_sfu, highest_solar_flux_sfu);
+  if (!value) {
+    return fmt::format("{:.0f} to {:.0f} solar flux units", lowest_solar_flux_sfu, highest_solar_flux_sfu);
+  }
+  scene.dark_sky.solar_flux_sfu = *value;
+  return "";
+}
+
+std::string apply_sky_glow(std::string_view text, SceneOptions& scene) {
+  const auto value = sky_glow_from_text(text);
+  if (!value) {
+    return std::string(sky_glow_texts);
+  }
+  scene.dark_sky.glow.zenith = *value;
+  return "";
+}
+
+std::string apply_sky_glow_azimuth(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, -360.0, 360.0);
+  if (!value) {
+    return "-360 to 360 degrees, north through east";
+  }
+  scene.dark_sky.glow.azimuth = *value * deg;
+  return "";
+}
+
+std::string apply_sky_glow_distance(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, nearest_city_km, farthest_city_km);
+  if (!value) {
+    return fmt::format("{:.0f} to {:.0f} km", nearest_city_km, farthest_city_km);
+  }
+  scene.dark_sky.glow.distance = *value * kilometre;
+  return "";
+}
+
 std::string apply_danjon(std::string_view text, SceneOptions& scene) {
   const auto value = number_within(text, least_danjon, most_danjon);
   if (!value) {
@@ -288,13 +326,28 @@ constexpr std::array table{
     SceneOptionDescription{"medium", Kind::name_or_file, "NAME|FILE", model,
                            "The air: clear, published or a TOML file (docs/MEDIUM.md); default clear", apply_medium},
     SceneOptionDescription{"layers", Kind::list, "LIST", model,
-                           "What to draw, comma-separated: stars, planets, moon, sun, sky, ground; default all",
+                           "What to draw, comma-separated: stars, planets, milky-way, moon, sun, sky, airglow, "
+                           "zodiacal, sky-glow, ground; default all",
                            apply_layers},
     SceneOptionDescription{
         "sky", Kind::text, "NAME", model,
         "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
         "a cheap way that is good by day; or reference, a Monte Carlo; default tables",
         apply_sky},
+    SceneOptionDescription{
+        "solar-flux", Kind::number, "SFU", model,
+        "The Sun at 10.7 cm, which the airglow follows, 60 to 400: about 70 at solar minimum, 200 at "
+        "maximum; default that of the date in a mean cycle",
+        apply_solar_flux},
+    SceneOptionDescription{"sky-glow", Kind::number_or_text, "LEVEL", model,
+                           "Artificial light at the zenith: its luminance (0.002, in cd/m2), the whole zenith's "
+                           "brightness as a meter gives it (20.5mag) or a class (bortle5); default off",
+                           apply_sky_glow},
+    SceneOptionDescription{"sky-glow-azimuth", Kind::number, "DEG", model,
+                           "Azimuth of the city that it comes from, -360 to 360; default cities all around",
+                           apply_sky_glow_azimuth},
+    SceneOptionDescription{"sky-glow-distance", Kind::number, "KM", model,
+                           "Distance of the city or cities, 1 to 300; default 30", apply_sky_glow_distance},
     SceneOptionDescription{"danjon", Kind::number, "L", model,
                            "How clear the Earth's air is in eclipses of the Moon, on Danjon's scale: 0, after great "
                            "eruptions, to 4; default 2.5",

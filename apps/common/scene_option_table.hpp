@@ -12,6 +12,7 @@ enum class SceneValueKind {
   text,
   time,         ///< text or a TOML date-time
   number,       ///< integer or float
+  number_or_text,
   integer,      ///< integer
   list,         ///< comma-separated text or an array of text
   name_or_file, ///< text; a file without an absolute path lies beside the scene file

@@ -8,6 +8,7 @@
 #include "vesper/atmosphere/medium.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
+#include "vesper/sky/dark_sky.hpp"
 #include "vesper/sky/sky_state.hpp"
 
 #include <CLI/App.hpp>
@@ -53,6 +54,7 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
+  DarkSkyOptions dark_sky;             ///< the Sun's activity and artificial light
   double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
   std::uint64_t seed = 0;              ///< of everything random
 };

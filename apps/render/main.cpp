@@ -58,6 +58,9 @@ OutputKind output_kind(const std::string& path) {
               {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
 }
 
+/// What the air scatters is found by tables.
+bool needs_sky_tables(const LayerSet& layers) { return has(layers, Layer::sky) || draws_dark_sky(layers); }
+
 std::string air_text(const Refraction& refraction) {
   return refraction.model == RefractionModel::none
              ? "no refraction"
@@ -109,17 +112,19 @@ Luminance automatic_white(gpu::Renderer& renderer, const SkyState& sky, const Vi
     return renderer.render(sky, small, plan_frame(sky, small, {}, metered, &plan));
   };
   Luminance white = least;
-  if (!plan.lights.empty()) {
-    LayerSet air;
-    air.set(static_cast<std::size_t>(Layer::sky));
-    white = gpu::metered_white(frame_of(plan.options.layers & air.set(static_cast<std::size_t>(Layer::ground))), white);
+  if (!plan.lights.empty() || plan.dark_sky) {
+    LayerSet areas = plan.options.layers;
+    for (const Layer layer : {Layer::stars, Layer::planets, Layer::moon, Layer::sun}) {
+      areas.reset(static_cast<std::size_t>(layer));
+    }
+    white = gpu::metered_white(frame_of(areas), white);
   }
   if (plan.moon || plan.sun) {
-    LayerSet discs = plan.options.layers;
-    for (const Layer layer : {Layer::stars, Layer::planets, Layer::sky}) {
-      discs.reset(static_cast<std::size_t>(layer));
+    LayerSet discs;
+    for (const Layer layer : {Layer::moon, Layer::sun, Layer::ground}) {
+      discs.set(static_cast<std::size_t>(layer));
     }
-    white = gpu::white_before_discs(white, frame_of(discs));
+    white = gpu::white_before_discs(white, frame_of(plan.options.layers & discs));
   }
   return white;
 }
@@ -131,7 +136,7 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   if (!options.catalogue.empty()) {
     own = read_star_glb(options.catalogue);
   }
-  if (scene.sky == SkyModel::reference && has(scene.layers, Layer::sky)) {
+  if (scene.sky == SkyModel::reference && needs_sky_tables(scene.layers)) {
     throw Error(ErrorKind::argument, "--sky reference is too slow for a frame",
                 {"", "", "Give --sky tables or small-tables, or ask vesper-report sky --reference for a picture"});
   }
@@ -142,9 +147,10 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   frame_options.seed = static_cast<std::uint32_t>(scene.seed ^ (scene.seed >> 32U));
   frame_options.air.refraction = options.refraction == "on";
   frame_options.air.medium = scene.medium;
-  if (has(scene.layers, Layer::sky)) {
+  if (needs_sky_tables(scene.layers)) {
     frame_options.air.sky_tables = scene_sky_tables(scene);
   }
+  frame_options.dark_sky = scene.dark_sky;
   frame_options.air.extinction = options.extinction == "on";
   frame_options.air.scintillation = options.scintillation == "on";
   frame_options.air.exposure_s = options.exposure_time_s;

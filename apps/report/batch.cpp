@@ -163,7 +163,7 @@ BatchReport batch_report(const CsvTable& input, std::span<const SceneColumn> col
             append_csv_field(chunk.csv, input.cell(row, column));
             chunk.csv += ',';
           }
-          const ReportedScene scene{sky, air, {}};
+          const ReportedScene scene{sky, air, {}, {}};
           for (const SceneColumn& column : columns) {
             append_number(chunk.csv, column.value(scene));
             chunk.csv += ',';

@@ -84,18 +84,25 @@ SceneLight light_by_tables(const ReportedScene& scene) {
 bool by_tables(const ReportedScene& scene) { return scene.air.model() != SkyModel::reference; }
 
 double horizontal_illuminance_lux(const ReportedScene& scene) {
+  const double dark = dark_light_of(scene).sum().illuminance_lux;
   if (by_tables(scene)) {
     const auto& [sun, moon] = light_of(scene);
-    return sun.direct_lux + sun.diffuse_lux + moon.direct_lux + moon.diffuse_lux;
+    return sun.direct_lux + sun.diffuse_lux + moon.direct_lux + moon.diffuse_lux + dark;
   }
-  return reference_illuminance(scene).total.mean; // at less cost than the sum of its parts
+  return reference_illuminance(scene).total.mean + dark; // at less cost than the sum of its parts
 }
 
 double zenith_luminance_cd_m2(const ReportedScene& scene) {
+  const double dark = dark_light_of(scene).sum().zenith_luminance_cd_m2;
   if (by_tables(scene)) {
-    return light_of(scene).sun.zenith_luminance_cd_m2 + light_of(scene).moon.zenith_luminance_cd_m2;
+    return light_of(scene).sun.zenith_luminance_cd_m2 + light_of(scene).moon.zenith_luminance_cd_m2 + dark;
   }
-  return reference_zenith(scene);
+  return reference_zenith(scene) + dark;
+}
+
+template <DarkSourceLight DarkLight::*source, double DarkSourceLight::*part>
+double dark_part(const ReportedScene& scene) {
+  return dark_light_of(scene).*source.*part;
 }
 
 double zenith_extinction(const ReportedScene& scene) {
@@ -117,6 +124,18 @@ constexpr std::array columns{
                 true},
     SceneColumn{"moon_zenith_luminance_cd_m2",
                 [](const ReportedScene& s) { return light_of(s).moon.zenith_luminance_cd_m2; }, true},
+    SceneColumn{"airglow_illuminance_lux", dark_part<&DarkLight::airglow, &DarkSourceLight::illuminance_lux>, true},
+    SceneColumn{"airglow_zenith_luminance_cd_m2",
+                dark_part<&DarkLight::airglow, &DarkSourceLight::zenith_luminance_cd_m2>, true},
+    SceneColumn{"zodiacal_illuminance_lux", dark_part<&DarkLight::zodiacal, &DarkSourceLight::illuminance_lux>, true},
+    SceneColumn{"zodiacal_zenith_luminance_cd_m2",
+                dark_part<&DarkLight::zodiacal, &DarkSourceLight::zenith_luminance_cd_m2>, true},
+    SceneColumn{"starlight_illuminance_lux", dark_part<&DarkLight::starlight, &DarkSourceLight::illuminance_lux>, true},
+    SceneColumn{"starlight_zenith_luminance_cd_m2",
+                dark_part<&DarkLight::starlight, &DarkSourceLight::zenith_luminance_cd_m2>, true},
+    SceneColumn{"sky_glow_illuminance_lux", dark_part<&DarkLight::sky_glow, &DarkSourceLight::illuminance_lux>, true},
+    SceneColumn{"sky_glow_zenith_luminance_cd_m2",
+                dark_part<&DarkLight::sky_glow, &DarkSourceLight::zenith_luminance_cd_m2>, true},
 };
 
 } // namespace
@@ -127,6 +146,13 @@ const SceneLight& light_of(const ReportedScene& scene) {
                                    : SceneLight{reference_light(scene, "sun"), reference_light(scene, "moon")};
   }
   return *scene.light;
+}
+
+const DarkLight& dark_light_of(const ReportedScene& scene) {
+  if (!scene.dark) {
+    scene.dark = dark_light(scene.sky, *scene.air.dark_air(height_in_air(scene.sky.observer)), scene.air.dark_sky());
+  }
+  return *scene.dark;
 }
 
 std::span<const SceneColumn> light_columns() { return columns; }

@@ -95,10 +95,11 @@ void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   }
   const SkyState sky = sky_state_of(scene);
   const SceneAir air(scene, path_budget(options.budget, scene));
-  const ReportedScene reported{sky, air, {}};
-  deliver(options.json              ? scene_json(reported, columns)
-          : options.columns.empty() ? scene_text(sky, default_star_catalogue(), light_of(reported))
-                                    : scene_lines(reported, columns),
+  const ReportedScene reported{sky, air, {}, {}};
+  deliver(options.json ? scene_json(reported, columns)
+          : options.columns.empty()
+              ? scene_text(sky, default_star_catalogue(), light_of(reported), dark_light_of(reported))
+              : scene_lines(reported, columns),
           options.output);
 }
 
@@ -229,7 +230,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "Comma-separated quantities to report, also venus_magnitude and its like, sun_magnitude, sun_illuminance_lux "
          "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
          "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, "
-         "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's; default "
+         "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, "
+         "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; default "
          "(the usual ones), planets, discs and light stand for groups; default default, of a scene as JSON discs and "
          "light too")
       ->type_name("LIST");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "common/scene_options.hpp"
+#include "report/dark_light.hpp"
 
 #include "vesper/atmosphere/eclipsed_air.hpp"
 #include "vesper/atmosphere/medium.hpp"
@@ -27,6 +28,9 @@ public:
   [[nodiscard]] SkyModel model() const;
   /// From a cache, if they are there (sky_tables_cache.hpp); takes seconds otherwise.
   [[nodiscard]] const SkyTables& tables() const;
+  /// The air before the dark sky at a height, and what is said of that sky. By the tables in any model.
+  [[nodiscard]] std::shared_ptr<const DarkAir> dark_air(Length height) const;
+  [[nodiscard]] const DarkSkyOptions& dark_sky() const;
   /// What becomes of its light in the Moon's shadow. Takes some tenths of a second at first.
   [[nodiscard]] const std::shared_ptr<const EclipsedAir>& eclipsed() const;
   /// At the medium's wavelengths. Takes seconds at first.

@@ -18,6 +18,7 @@ struct ReportedScene {
   const SkyState& sky;
   const SceneAir& air;
   mutable std::optional<SceneLight> light; ///< by source: see light_of in light_columns.hpp
+  mutable std::optional<DarkLight> dark;   ///< likewise
 };
 
 /// A quantity whose name carries its unit.

@@ -5,6 +5,7 @@
 #include "report/star_report.hpp"
 
 #include "vesper/astro/constants.hpp"
+#include "vesper/light/night_light.hpp"
 #include "vesper/light/photometry.hpp"
 #include "vesper/sky/moon_illumination.hpp"
 
@@ -150,7 +151,22 @@ std::string light_text(const SceneLight& light) {
                      source.diffuse_lux, source.zenith_luminance_cd_m2);
     }
   }
-  return text.empty() ? "Light   of stars alone: Sun and Moon are far below the horizon\n" : text;
+  return text;
+}
+
+/// What the dark sky adds, where it is not lost in daylight.
+std::string dark_text(const DarkLight& dark, bool first) {
+  const DarkSourceLight all = dark.sum();
+  std::string text =
+      fmt::format("{}{:.3g} lx of the dark sky on level ground; zenith {:.3g} cd/m² ({:.2f} mag/arcsec²):\n"
+                  "        airglow {:.2g}, zodiacal light {:.2g}, faint stars {:.2g}",
+                  first ? "Light   " : "        ", all.illuminance_lux, all.zenith_luminance_cd_m2,
+                  v_per_arcsec2(all.zenith_luminance_cd_m2 * candela_per_m2), dark.airglow.zenith_luminance_cd_m2,
+                  dark.zodiacal.zenith_luminance_cd_m2, dark.starlight.zenith_luminance_cd_m2);
+  if (dark.sky_glow.zenith_luminance_cd_m2 > 0.0) {
+    text += fmt::format(", sky glow {:.2g}", dark.sky_glow.zenith_luminance_cd_m2);
+  }
+  return text + "\n";
 }
 
 std::string place_text(const Observer& observer) {
@@ -194,7 +210,8 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
   return waxing ? "waxing gibbous" : "waning gibbous";
 }
 
-std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light) {
+std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
+                       const DarkLight& dark) {
   const BodyPlace& moon = sky.moon.place;
   const Refraction refraction = with_table(sky.refraction);
   const Angle horizon = horizon_altitude(refraction, sky.observer.height);
@@ -213,7 +230,11 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
                  v_magnitude(moonlight_of(sky)));
   text += eclipse_text(sky);
   fmt::format_to(out, "        {}\n", face_text(sky.moon));
-  text += light_text(light);
+  const std::string of_sun_and_moon = light_text(light);
+  text += of_sun_and_moon;
+  if (sky.sun.altitude < civil_twilight_end) {
+    text += dark_text(dark, of_sun_and_moon.empty());
+  }
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }

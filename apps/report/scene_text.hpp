@@ -1,6 +1,7 @@
 // A scene in words: what stands in the sky.
 #pragma once
 
+#include "report/dark_light.hpp"
 #include "report/table_light.hpp"
 
 #include "vesper/assets/star_catalogue.hpp"
@@ -13,7 +14,8 @@ namespace vesper {
 /// Time, place, sky condition, Sun and Moon (airless; apparent too where refraction can show them), the Moon's
 /// libration, their light on level ground and in the zenith, planets and brightest stars up and figures that stand
 /// high, as lines of text.
-[[nodiscard]] std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light);
+[[nodiscard]] std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
+                                     const DarkLight& dark);
 
 /// One of 16 compass points for an azimuth: "N", "NNE", ...
 [[nodiscard]] std::string_view compass_point(Angle azimuth);

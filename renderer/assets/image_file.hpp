@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -24,6 +26,12 @@ enum class ExrDepth { half, single }; ///< floats of 16 or 32 bits in the file
 /// The same with channels of other names: `values` holds `channels.size()` floats a pixel.
 void write_exr(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
                std::span<const float> values, ExrDepth depth, const ImageMetadata& metadata);
+
+/// The same for pictures that are too large to be held twice: `fill_rows` is called for consecutive rows, a few at a
+/// time, and fills the span, whose size is a multiple of `width` times `channels.size()`.
+void write_exr_rows(const std::filesystem::path& path, int width, int height, const std::vector<std::string>& channels,
+                    const ImageMetadata& metadata,
+                    const std::function<void(int first_row, std::span<float> values)>& fill_rows);
 
 /// Writes display pixels as PNG, 8-bit RGB, sRGB. `rgba` holds 4 bytes a pixel; alpha is dropped.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,
@@ -46,5 +54,28 @@ struct FloatImage {
 /// The same from a file in memory, for formats that can be read so (EXR, PNG, JPEG and others).
 /// \param name the file's name: its ending hints at the format, messages hold it
 [[nodiscard]] FloatImage decode_image(std::span<const std::byte> bytes, const std::string& name);
+
+/// A picture that is read a few rows at a time.
+class ImageRows {
+public:
+  /// Throws Error(file) for what is no picture.
+  explicit ImageRows(const std::filesystem::path& path);
+  ImageRows(const ImageRows&) = delete;
+  ImageRows& operator=(const ImageRows&) = delete;
+  ~ImageRows();
+
+  [[nodiscard]] int width() const;
+  [[nodiscard]] int height() const;
+  [[nodiscard]] int channels() const;
+  [[nodiscard]] bool floating() const;     ///< as in FloatImage
+  [[nodiscard]] int alpha_channel() const; ///< as in FloatImage
+  /// Rows from `first_row` on, row 0 on top, `channels()` floats a pixel. Going back costs a new start in most formats.
+  /// Throws Error(input) for data that cannot be decoded.
+  void read(int first_row, std::span<float> values);
+
+private:
+  struct Input;
+  std::unique_ptr<Input> input_;
+};
 
 } // namespace vesper

@@ -12,16 +12,6 @@
 namespace vesper {
 namespace {
 
-Mat3 mean_ecliptic_from_icrs(JulianDate<TT> tt) {
-  double rows[3][3];
-  if (is_long_term(tt)) {
-    eraLtecm(eraEpj(tt.day, tt.fraction), rows);
-  } else {
-    eraEcm06(tt.day, tt.fraction, rows);
-  }
-  return matrix_of(rows);
-}
-
 /// The ecliptic of date with its longitudes counted from the true equinox, where it crosses the true equator.
 Mat3 true_ecliptic_from_icrs(const EarthState& earth) {
   const Vec3 ecliptic_pole = glm::transpose(mean_ecliptic_from_icrs(earth.instant.tt))[2];
@@ -30,7 +20,7 @@ Mat3 true_ecliptic_from_icrs(const EarthState& earth) {
   return glm::transpose(Mat3(equinox, glm::cross(ecliptic_pole, equinox), ecliptic_pole));
 }
 
-Mat3 galactic_from_icrs() {
+Mat3 make_galactic_from_icrs() {
   // Longitude and latitude of each ICRS axis give the columns.
   constexpr double quarter_turn = 0.5 * std::numbers::pi;
   const double axes[3][2] = {{0.0, 0.0}, {quarter_turn, 0.0}, {0.0, quarter_turn}};
@@ -46,6 +36,21 @@ Mat3 galactic_from_icrs() {
 
 } // namespace
 
+Mat3 mean_ecliptic_from_icrs(JulianDate<TT> tt) {
+  double rows[3][3];
+  if (is_long_term(tt)) {
+    eraLtecm(eraEpj(tt.day, tt.fraction), rows);
+  } else {
+    eraEcm06(tt.day, tt.fraction, rows);
+  }
+  return matrix_of(rows);
+}
+
+Mat3 galactic_from_icrs() {
+  static const Mat3 galactic = make_galactic_from_icrs();
+  return galactic;
+}
+
 Mat3 frame_from_icrs(CelestialFrame frame, const EarthState& earth) {
   const JulianDate<TT>& tt = earth.instant.tt;
   switch (frame) {
@@ -57,10 +62,8 @@ Mat3 frame_from_icrs(CelestialFrame frame, const EarthState& earth) {
     return true_ecliptic_from_icrs(earth);
   case CelestialFrame::ecliptic_j2000:
     return mean_ecliptic_from_icrs(j2000<TT>);
-  case CelestialFrame::galactic: {
-    static const Mat3 galactic = galactic_from_icrs();
-    return galactic;
-  }
+  case CelestialFrame::galactic:
+    return galactic_from_icrs();
   case CelestialFrame::horizon:
     return horizon_from_equator(earth.observer.latitude, earth.local_sidereal_time_rad) *
            earth.equator_of_date_from_icrs;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/earth_state.hpp"
+#include "vesper/astro/time.hpp"
 #include "vesper/base/vector.hpp"
 
 namespace vesper {
@@ -20,6 +21,10 @@ enum class CelestialFrame {
 
 /// The rotation that gives a vector of ICRS axes along `frame` at the state's instant and place.
 [[nodiscard]] Mat3 frame_from_icrs(CelestialFrame frame, const EarthState& earth);
+
+/// What frame_from_icrs needs no state of the Earth for: the mean ecliptic and equinox of a date, and galactic axes.
+[[nodiscard]] Mat3 mean_ecliptic_from_icrs(JulianDate<TT> tt);
+[[nodiscard]] Mat3 galactic_from_icrs();
 
 /// The rotation from one frame to another; `frame_rotation(b, a)` is its transpose.
 [[nodiscard]] Mat3 frame_rotation(CelestialFrame from, CelestialFrame to, const EarthState& earth);

@@ -45,7 +45,7 @@ bool sound(const ShadowHeader& header) {
 } // namespace
 
 Bytes encode_earth_shadow_light(const EarthShadowLight& light) {
-  const f64::LunarEclipseFrame& frame = light.frame;
+  const f64::LunarEclipseMap& frame = light.frame;
   const ShadowHeader header{shadow_magic,
                             shadow_version,
                             frame.inner,
@@ -95,9 +95,9 @@ EarthShadowLight decode_earth_shadow_light(std::span<const std::byte> bytes, con
     fail_shadow(name, offsetof(ShadowHeader, inner), "has sizes or numbers that no such map has");
   }
   EarthShadowLight light;
-  light.frame = {f64::lunar_eclipse_table, header.inner,       header.outer,   static_cast<int>(EarthShadowLight::rows),
-                 header.first_km,          header.rows_per_km, header.edge_km, header.clear_km,
-                 header.width_km};
+  light.frame = {header.inner,    header.outer,       static_cast<int>(EarthShadowLight::rows),
+                 header.first_km, header.rows_per_km, header.edge_km,
+                 header.clear_km, header.width_km};
   light.nearest_sun_au = header.nearest_sun_au;
   light.farthest_sun_au = header.farthest_sun_au;
   light.wavelengths_nm.resize(static_cast<std::size_t>(header.wavelengths));

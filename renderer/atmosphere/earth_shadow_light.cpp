@@ -44,6 +44,44 @@ std::array<double, EarthShadowLight::rows> polynomial_weights(double place) {
 
 constexpr int step_nm = 10;
 
+/// Logarithms of the shares of X, Y, Z, S that the places of the map leave of a light.
+std::vector<Vec4> log_light(const EclipseSpectra& spectra, const Spectrum& light) {
+  const std::size_t count = spectra.wavelengths_nm.size();
+  std::vector<double> shares(count);
+  const Spectrum all = spectra.spectrum(std::vector<double>(count, 1.0));
+  const SpectralWeights weights = spectral_weights(light, all.wavelengths_nm());
+  const Xyzs full = weights(all.values());
+  std::vector<Vec4> logs;
+  for (std::size_t i = 0; i < spectra.log_shares.size(); i += count) {
+    std::transform(&spectra.log_shares[i], &spectra.log_shares[i] + count, shares.begin(),
+                   [](double value) { return std::exp(value); });
+    const Xyzs left = weights(spectra.spectrum(shares).values());
+    logs.emplace_back(std::log(left.x / full.x), std::log(left.y / full.y), std::log(left.z / full.z),
+                      std::log(left.s / full.s));
+  }
+  return logs;
+}
+
+/// From the axis to full light in all rows, in steps of 4 to 5 km: 2 arcsec.
+f64::LunarEclipseFrame picture_frame(const f64::LunarEclipseMap& map, const f64::EarthShadow& shadow) {
+  constexpr int columns = 2048;
+  const double length_km = (map.rows - 1) / map.rows_per_km;
+  const f64::vec2 near_km = f64::lunar_eclipse_radii_km(map.first_km, shadow, map);
+  const f64::vec2 far_km = f64::lunar_eclipse_radii_km(map.first_km + length_km, shadow, map);
+  const double edge_per_km = (far_km.x - near_km.x) / length_km;
+  const double inside_km = std::max(near_km.x, far_km.x);
+  const double outside_km = std::max(near_km.y - near_km.x, far_km.y - far_km.x);
+  return {f64::lunar_eclipse_table,
+          columns,
+          map.rows,
+          map.first_km,
+          map.rows_per_km,
+          near_km.x - edge_per_km * map.first_km,
+          edge_per_km,
+          inside_km,
+          (columns - 1) / (inside_km + outside_km)};
+}
+
 } // namespace
 
 EclipseSpectra eclipse_spectra(const EarthShadowLight& light, Length moon_along, Length sun_distance, double danjon) {
@@ -56,7 +94,7 @@ EclipseSpectra eclipse_spectra(const EarthShadowLight& light, Length moon_along,
   const Between load = between(danjon - least_danjon, earth_shadow_loads.size());
   const Between sun = between(
       (sun_distance / astronomical_unit - light.nearest_sun_au) / (light.farthest_sun_au - light.nearest_sun_au), suns);
-  EclipseSpectra result{light.frame, light.wavelengths_nm, {}};
+  EclipseSpectra result{light.frame, sun_distance, light.wavelengths_nm, {}};
   const double moon_km = moon_mean_radius.to(kilometre);
   result.frame.rows = 2;
   result.frame.first_km = moon_along.to(kilometre) - moon_km;
@@ -128,18 +166,22 @@ Spectrum EclipseSpectra::spectrum(std::span<const double> shares) const {
 }
 
 LunarEclipseTable lunar_eclipse_table(const EclipseSpectra& spectra, const Spectrum& moonlight) {
-  LunarEclipseTable table{spectra.frame, {}};
-  const std::size_t count = spectra.wavelengths_nm.size();
-  std::vector<double> shares(count);
-  const Spectrum all = spectra.spectrum(std::vector<double>(count, 1.0));
-  const SpectralWeights weights = spectral_weights(moonlight, all.wavelengths_nm());
-  const Xyzs full = weights(all.values());
-  for (std::size_t i = 0; i < spectra.log_shares.size(); i += count) {
-    std::transform(&spectra.log_shares[i], &spectra.log_shares[i] + count, shares.begin(),
-                   [](double value) { return std::exp(value); });
-    const Xyzs left = weights(spectra.spectrum(shares).values());
-    table.texels.emplace_back(std::log(left.x / full.x), std::log(left.y / full.y), std::log(left.z / full.z),
-                              std::log(left.s / full.s));
+  const std::vector<Vec4> logs = log_light(spectra, moonlight);
+  const std::size_t columns = logs.size() / static_cast<std::size_t>(spectra.frame.rows);
+  const f64::EarthShadow shadow{Vec3(0.0, 0.0, 1.0), spectra.sun_distance.to(kilometre), sun_radius.to(kilometre), 0.0};
+  LunarEclipseTable table{picture_frame(spectra.frame, shadow), {}};
+  const f64::LunarEclipseFrame& frame = table.frame;
+  table.texels.reserve(static_cast<std::size_t>(frame.rows) * static_cast<std::size_t>(frame.columns));
+  for (int row = 0; row < frame.rows; ++row) {
+    const double along_km = frame.first_km + row / frame.rows_per_km;
+    const double first_km = frame.edge_km + frame.edge_per_km * along_km - frame.inside_km;
+    const Vec4* of_row = &logs[static_cast<std::size_t>(row) * columns];
+    for (int column = 0; column < frame.columns; ++column) {
+      const Vec2 place_km(std::abs(first_km + column / frame.columns_per_km), along_km);
+      const Between at = between(f64::lunar_eclipse_texel(place_km, shadow, spectra.frame).x, columns);
+      table.texels.push_back(glm::exp(glm::mix(of_row[at.low], of_row[at.low + 1], at.share)));
+    }
+    table.texels.back() = Vec4(1.0);
   }
   return table;
 }

@@ -19,7 +19,7 @@ namespace vesper {
 /// (columns) and along it (rows) as shaders/lib/lunar_eclipse.glsl has them, the Sun's distance, the wavelength and
 /// Danjon's L.
 struct EarthShadowLight {
-  f64::LunarEclipseFrame frame{};
+  f64::LunarEclipseMap frame{};
   std::vector<double> wavelengths_nm; ///< ascending
   double nearest_sun_au = 0.0;        ///< of two distances
   double farthest_sun_au = 0.0;
@@ -42,7 +42,8 @@ struct EarthShadowLight {
 
 /// Of one eclipse: as far along the axis as the Moon reaches.
 struct EclipseSpectra {
-  f64::LunarEclipseFrame frame{};
+  f64::LunarEclipseMap frame{};
+  Length sun_distance;
   std::vector<double> wavelengths_nm;
   std::vector<double> log_shares; ///< by row, column and wavelength
 
@@ -61,10 +62,9 @@ struct EclipseSpectra {
 /// What lunar_eclipse_shares reads.
 struct LunarEclipseTable {
   f64::LunarEclipseFrame frame{};
-  std::vector<Vec4> texels; ///< logarithms of the shares of X, Y, Z, S, row by row
+  std::vector<Vec4> texels; ///< shares of X, Y, Z, S, row by row
 
-  [[nodiscard]] int width() const { return frame.inner + frame.outer + 1; }
-  [[nodiscard]] f64::sampler2D sampler() const { return {texels.data(), width(), frame.rows}; }
+  [[nodiscard]] f64::sampler2D sampler() const { return {texels.data(), frame.columns, frame.rows}; }
 };
 /// \param moonlight without an eclipse, in any unit
 [[nodiscard]] LunarEclipseTable lunar_eclipse_table(const EclipseSpectra& spectra, const Spectrum& moonlight);

@@ -43,8 +43,7 @@ std::vector<double> map_wavelengths_nm(const Medium& medium) {
 EarthShadowLight make_earth_shadow_light(const Medium& medium) {
   EarthShadowLight light;
   constexpr std::size_t rows = EarthShadowLight::rows;
-  light.frame = {f64::lunar_eclipse_table,
-                 inner,
+  light.frame = {inner,
                  outer,
                  static_cast<int>(rows),
                  nearest_km,

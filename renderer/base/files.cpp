@@ -72,6 +72,48 @@ fs::path write_target(const fs::path& path) {
   return target;
 }
 
+/// What a write to a path replaces.
+class Target {
+public:
+  explicit Target(const fs::path& path) : given_(path), path_(write_target(path)) {
+    exists_ = ::stat(path_.c_str(), &status_) == 0;
+    if (exists_ && S_ISDIR(status_.st_mode)) {
+      fail(path, "cannot be written", EISDIR, "Give the path of a file");
+    }
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] bool replaceable() const { return !exists_ || S_ISREG(status_.st_mode); }
+
+  /// Has `write` fill a temporary file, given as descriptor and as path, and lets it take the target's place; false
+  /// stands for a failure that errno tells of.
+  template <class Write> void replace(const Write& write) const {
+    std::string name = path_.string() + ".XXXXXX";
+    Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+    if (file.get() < 0) {
+      fail(given_, "cannot be created", errno, folder_remedy);
+    }
+    // mkostemp makes the file private; a new file gets what open() would have given it, an old one keeps its mode.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    const mode_t mode = exists_ ? (status_.st_mode & 07777) : (0666 & ~mask);
+    try {
+      if (!write(file.get(), fs::path(name)) || ::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0 ||
+          !file.close() || ::rename(name.c_str(), path_.c_str()) != 0) {
+        fail(given_, "cannot be written", errno, space_remedy);
+      }
+    } catch (...) {
+      ::unlink(name.c_str());
+      throw;
+    }
+  }
+
+private:
+  const fs::path& given_;
+  fs::path path_;
+  struct stat status_ {};
+  bool exists_ = false;
+};
+
 } // namespace
 
 Bytes read_file(const fs::path& path) {
@@ -104,35 +146,28 @@ Bytes read_file(const fs::path& path) {
 }
 
 void write_file_atomically(const fs::path& path, std::span<const std::byte> data) {
-  const fs::path target = write_target(path);
-  struct stat status {};
-  const bool exists = ::stat(target.c_str(), &status) == 0;
-  if (exists && S_ISDIR(status.st_mode)) {
-    fail(path, "cannot be written", EISDIR, "Give the path of a file");
-  }
-  if (exists && !S_ISREG(status.st_mode)) {
+  const Target target(path);
+  if (!target.replaceable()) {
     // A device or a pipe has no earlier content to protect, and renaming over it would destroy it.
-    Descriptor file(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+    Descriptor file(::open(target.path().c_str(), O_WRONLY | O_CLOEXEC));
     if (file.get() < 0 || !write_all(file.get(), data) || !file.close()) {
       fail(path, "cannot be written", errno, space_remedy);
     }
     return;
   }
-  std::string name = target.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
-  if (file.get() < 0) {
-    fail(path, "cannot be created", errno, folder_remedy);
+  target.replace([&](int fd, const fs::path&) { return write_all(fd, data); });
+}
+
+void write_file_atomically(const fs::path& path, const std::function<void(const fs::path& temporary)>& write) {
+  const Target target(path);
+  if (!target.replaceable()) {
+    write(target.path());
+    return;
   }
-  // mkostemp makes the file private; a new file gets what open() would have given it, an old one keeps its mode.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  const mode_t mode = exists ? (status.st_mode & 07777) : (0666 & ~mask);
-  if (!write_all(file.get(), data) || ::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0 || !file.close() ||
-      ::rename(name.c_str(), target.c_str()) != 0) {
-    const int error_number = errno;
-    ::unlink(name.c_str());
-    fail(path, "cannot be written", error_number, space_remedy);
-  }
+  target.replace([&](int, const fs::path& temporary) {
+    write(temporary);
+    return true;
+  });
 }
 
 void write_file_atomically(const fs::path& path, const std::string& text) {

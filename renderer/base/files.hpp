@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,6 +20,11 @@ using Bytes = std::vector<std::byte>;
 /// device). Throws Error(file), naming the path and the system's reason; the temporary file is then removed.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> data);
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
+
+/// The same for content that is too large for memory: `write` fills the temporary file, whose path it gets. What it
+/// throws leaves `path` as it was.
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const std::filesystem::path& temporary)>& write);
 
 /// Throws Error(file) unless `path` could be created or replaced: its folder must exist and be writable, and it must
 /// not be a folder itself. For failing before long work rather than after it.

@@ -72,14 +72,14 @@ MoonBlock block_of(const PlannedMoon& moon) {
                   static_cast<float>(moon.shadow.sun_radius_km), static_cast<float>(moon.shadow.edge_radius_km)};
   const f64::LunarEclipseFrame& frame = moon.eclipse.frame;
   block.eclipse = {frame.kind,
-                   frame.inner,
-                   frame.outer,
+                   frame.columns,
                    frame.rows,
                    static_cast<float>(frame.first_km),
                    static_cast<float>(frame.rows_per_km),
                    static_cast<float>(frame.edge_km),
-                   static_cast<float>(frame.clear_km),
-                   static_cast<float>(frame.width_km)};
+                   static_cast<float>(frame.edge_per_km),
+                   static_cast<float>(frame.inside_km),
+                   static_cast<float>(frame.columns_per_km)};
   block.map_level = static_cast<float>(map_level(moon));
   return block;
 }
@@ -110,7 +110,7 @@ Texture table_of(const LunarEclipseTable& eclipse) {
       }
     }
   }
-  return make_table_texture(eclipse.texels.empty() ? 1 : eclipse.width(), rgba);
+  return make_table_texture(eclipse.texels.empty() ? 1 : eclipse.frame.columns, rgba);
 }
 
 } // namespace

@@ -15,8 +15,13 @@ constexpr std::int64_t strip_pixels = std::int64_t{1} << 25;
 
 int strip_rows(const View& view, int limit) {
   const auto by_memory = std::max<std::int64_t>(1, strip_pixels / view.width);
-  const auto rows = std::min<std::int64_t>({view.height, largest_texture_side(), by_memory});
-  return static_cast<int>(limit > 0 ? std::min<std::int64_t>(rows, limit) : rows);
+  const auto fitting = std::min<std::int64_t>(largest_texture_side(), by_memory);
+  const auto most = static_cast<int>(limit > 0 ? std::min<std::int64_t>(fitting, limit) : fitting);
+  if (most >= view.height) {
+    return view.height;
+  }
+  // From even rows on: drivers read maps for two by two pixels together.
+  return most > 1 ? most - most % 2 : most;
 }
 
 template <class T>
@@ -43,8 +48,8 @@ struct Renderer::Target {
 };
 
 Renderer::Renderer(const ShaderLibrary& library)
-    : star_pass_(library), planet_pass_(library), moon_pass_(library), sun_pass_(library), ground_pass_(library),
-      sky_pass_(library) {}
+    : star_pass_(library), planet_pass_(library), dark_sky_pass_(library), moon_pass_(library), sun_pass_(library),
+      ground_pass_(library), sky_pass_(library) {}
 
 Renderer::~Renderer() = default;
 
@@ -83,6 +88,10 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     timed("planets", timings, [&] { planet_pass_.place(sky, view, plan); });
     graph.add("planets", [&](const Strip& strip) { planet_pass_.draw(strip); });
   }
+  if (plan.dark_sky) {
+    dark_sky_pass_.prepare(view, plan);
+    graph.add("zodiacal", [&](const Strip& strip) { dark_sky_pass_.draw_beyond(strip); });
+  }
   if (plan.moon) {
     timed("moon", timings, [&] { moon_pass_.prepare(sky, view, plan, outputs.moon_shading); });
     graph.add("moon", [&](const Strip& strip) { moon_pass_.draw(strip); });
@@ -98,6 +107,9 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (!plan.lights.empty()) {
     timed("sky map", timings, [&] { sky_pass_.prepare(sky, view, plan); });
     graph.add("sky", [&](const Strip& strip) { sky_pass_.draw(strip); });
+  }
+  if (plan.dark_sky) {
+    graph.add("airglow", [&](const Strip& strip) { dark_sky_pass_.draw_air(strip); });
   }
 
   const int rows = strip_rows(view, strip_limit_);

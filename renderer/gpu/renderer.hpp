@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/assets/star_catalogue.hpp"
+#include "vesper/gpu/dark_sky_pass.hpp"
 #include "vesper/gpu/display_mapping.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/ground_pass.hpp"
@@ -58,6 +59,7 @@ private:
 
   StarPass star_pass_;
   PlanetPass planet_pass_;
+  DarkSkyPass dark_sky_pass_;
   MoonPass moon_pass_;
   SunPass sun_pass_;
   GroundPass ground_pass_;

@@ -26,16 +26,20 @@ int copies_of(Projection projection) {
   }
 }
 
+std::optional<RefractionConditions> bending_of(const SkyState& sky, const AirOptions& air) {
+  if (air.refraction && sky.refraction.model != RefractionModel::none) {
+    return sky.refraction.conditions;
+  }
+  return std::nullopt;
+}
+
 using ExtinctionMaker = StarExtinction (*)(const Medium&, Length, const std::optional<RefractionConditions>&);
 
 /// \param before that of an earlier frame, which serves again where it was made for the same
 std::shared_ptr<const PlannedExtinction> extinction_for(const SkyState& sky, const AirOptions& air,
                                                         std::shared_ptr<const Medium> medium, ExtinctionMaker make,
                                                         std::shared_ptr<const PlannedExtinction> before) {
-  std::optional<RefractionConditions> bending;
-  if (air.refraction && sky.refraction.model != RefractionModel::none) {
-    bending = sky.refraction.conditions;
-  }
+  const std::optional<RefractionConditions> bending = bending_of(sky, air);
   const Length height = sky.observer.height;
   if (before != nullptr && before->medium == medium && before->height == height && before->bending == bending) {
     return before;
@@ -120,17 +124,19 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   plan.star_copies = copies_of(view.projection);
   static const auto clear = std::make_shared<const Medium>(clear_medium());
   const std::shared_ptr<const Medium>& medium = options.air.medium != nullptr ? options.air.medium : clear;
+  const bool beyond_air = has(options.layers, Layer::zodiacal) || has(options.layers, Layer::milky_way);
   if (options.air.extinction) {
     if (plan.cheap_stars) {
       plan.optical_depth = star_optical_depth_xyzs(*medium, sky.observer.height);
-    } else {
-      const bool again = before != nullptr;
+    }
+    const bool again = before != nullptr;
+    if (!plan.cheap_stars || beyond_air) {
       plan.extinction =
           extinction_for(sky, options.air, medium, make_star_extinction, again ? before->extinction : nullptr);
-      if (has(options.layers, Layer::moon) || has(options.layers, Layer::sun)) {
-        plan.sunlight_extinction = extinction_for(sky, options.air, medium, make_sunlight_extinction,
-                                                  again ? before->sunlight_extinction : nullptr);
-      }
+    }
+    if (!plan.cheap_stars && (has(options.layers, Layer::moon) || has(options.layers, Layer::sun))) {
+      plan.sunlight_extinction = extinction_for(sky, options.air, medium, make_sunlight_extinction,
+                                                again ? before->sunlight_extinction : nullptr);
     }
   }
   if (options.air.refraction) {
@@ -143,6 +149,9 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   }
   plan.observer_height = sky.observer.height;
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
+  plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,
+                                options.air.sky_tables, bending_of(sky, options.air), plan.horizon_sin_altitude,
+                                before != nullptr ? before->dark_sky.get() : nullptr);
   plan_discs(sky, view, plan);
   return plan;
 }

@@ -7,6 +7,7 @@
 #include "vesper/atmosphere/sky_tables.hpp"
 #include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/plan/dark_sky_plan.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/planned_disc.hpp"
 #include "vesper/plan/view.hpp"
@@ -26,7 +27,8 @@ struct AirOptions {
   bool refraction = true;
   bool extinction = true;
   std::shared_ptr<const Medium> medium; ///< what dims the stars; clear_medium() where there is none
-  /// The light of that medium, for the layer `sky`; none is drawn without. Plans share them: they are copied to the GPU
+  /// The light of that medium, for the layer `sky` (none is drawn without) and for what the air scatters of the dark
+  /// sky's own light. Plans share them: they are copied to the GPU
   /// once.
   std::shared_ptr<const SkyTables> sky_tables;
   bool scintillation = true;
@@ -40,6 +42,7 @@ struct AirOptions {
 struct FrameOptions {
   LayerSet layers = all_layers();
   AirOptions air;
+  DarkSkyOptions dark_sky;
   DiscOptions discs;
   std::uint32_t seed = 0;
   std::uint32_t frame_number = 0; ///< counts the frames of a sequence; the cheap scintillation's only clock
@@ -86,7 +89,8 @@ struct FramePlan {
   std::optional<PlannedSun> sun;
   std::vector<PlannedLight> lights; ///< of the layer `sky`; none where it is not drawn
   PlannedEclipse eclipse;           ///< what dims the sky, whose lights are those outside the Moon's shadow then
-  Refraction refraction;            ///< with its table
+  std::shared_ptr<const PlannedDarkSky> dark_sky; ///< none where none of its layers is drawn
+  Refraction refraction;                          ///< with its table
   Length observer_height;
   double horizon_sin_altitude = 0.0; ///< of the sea's horizon as it is seen, dipped by the observer's height
 };
@@ -94,7 +98,7 @@ struct FramePlan {
 /// Decides what the frame must draw. `stars` are sorted by magnitude.
 /// \param before the plan of an earlier frame, whose tables of extinction serve again (and need not be made, in 3 ms
 ///        each) where medium, height and the air that bends the light are the same; likewise what is known of the air
-///        in an eclipse of the Sun (0.2 s)
+///        in an eclipse of the Sun (0.2 s) and of that before the dark sky (30 ms)
 [[nodiscard]] FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const StarRecord> stars,
                                    const FrameOptions& options = {}, const FramePlan* before = nullptr);
 

@@ -6,7 +6,8 @@
 namespace vesper {
 namespace {
 
-constexpr std::array<std::string_view, layer_count> names{"stars", "planets", "moon", "sun", "sky", "ground"};
+constexpr std::array<std::string_view, layer_count> names{"stars", "planets", "milky-way", "moon",     "sun",
+                                                          "sky",   "airglow", "zodiacal",  "sky-glow", "ground"};
 
 } // namespace
 

@@ -10,14 +10,18 @@
 namespace vesper {
 
 enum class Layer : std::size_t {
-  stars,   ///< point sources of the catalogue
-  planets, ///< Mercury to Neptune, as point sources
-  moon,    ///< its disc, which hides what is behind it
-  sun,     ///< its disc and, where nothing outshines it, the corona; the Moon hides them
-  sky,     ///< light scattered in the air, from the Sun and the Moon
-  ground,  ///< the opaque Earth below the horizon; with the sky's layer, lit
+  stars,     ///< point sources of the catalogue
+  planets,   ///< Mercury to Neptune, as point sources
+  milky_way, ///< the light of stars too faint to be drawn as points
+  moon,      ///< its disc, which hides what is behind it
+  sun,       ///< its disc and, where nothing outshines it, the corona; the Moon hides them
+  sky,       ///< light scattered in the air, from the Sun and the Moon
+  airglow,
+  zodiacal, ///< zodiacal light and gegenschein
+  sky_glow, ///< artificial light in the air
+  ground,   ///< the opaque Earth below the horizon; with the sky's layer, lit
 };
-inline constexpr std::size_t layer_count = 6;
+inline constexpr std::size_t layer_count = 10;
 
 using LayerSet = std::bitset<layer_count>;
 

@@ -96,9 +96,12 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
   planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
-  // A crescent is cut as its width asks for.
-  const double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
-  planned.picture.cells_of_radius = std::clamp(12.0 / std::max(lit_width, 1.0e-3), 20.0, 64.0);
+  // A crescent is cut as its width asks for, and so is what the Earth's shadow leaves in the sunlight.
+  double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
+  if (eclipse.umbral_magnitude > 0.0 && eclipse.umbral_magnitude < 1.0) {
+    lit_width = std::min(lit_width, 2.0 * (1.0 - eclipse.umbral_magnitude));
+  }
+  planned.picture.cells_of_radius = std::clamp(20.0 / std::max(lit_width, 1.0e-3), 12.0, 64.0);
   const double width = planned.picture.width_px;
   if (width > 0.0 && width < narrowest_disc_px) {
     planned.picture.point = point_of(centre_of_light(planned, options.moon_scale), vector_of(planned.disc.illuminance),

@@ -20,3 +20,4 @@
 #include "vesper/shaders/lib/lunar_eclipse.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
+#include "vesper/shaders/lib/dark_sky.glsl"

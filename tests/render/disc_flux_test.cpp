@@ -96,6 +96,58 @@ SkyState sky_at(const char* stamp) { return sky_state(parse_instant(stamp), {50.
 TEST_F(DiscFlux, FullMoon) { hold(Body::moon, "full Moon", sky_at("2026-05-01T20:00:00Z"), 5.0e-3); }
 TEST_F(DiscFlux, QuarterMoon) { hold(Body::moon, "first quarter", sky_at("2026-05-23T20:00:00Z"), 5.0e-3); }
 TEST_F(DiscFlux, CrescentMoon) { hold(Body::moon, "crescent", sky_at("2026-05-19T20:00:00Z"), 5.0e-3); }
+
+TEST_F(DiscFlux, EclipsedMoon) {
+  // The Earth's shadow lies differently over maria and highlands: the real map. Partial from the first stamp on, total
+  // from the fourth.
+  options.discs.moon = nullptr;
+  options.layers.reset().set(static_cast<std::size_t>(Layer::moon));
+  const Observer new_york{40.7 * deg, -74.0 * deg, 0.0 * metre};
+  ErrorSum y;
+  ErrorSum others;
+  for (const char* stamp : {"2010-12-21T06:50:00Z", "2010-12-21T07:15:00Z", "2010-12-21T07:38:00Z",
+                            "2010-12-21T07:45:00Z", "2010-12-21T08:17:00Z"}) {
+    const SkyState sky = sky_state(parse_instant(stamp), new_york);
+    const Xyzs light = integrate_xyzs(moonlight_of(sky));
+    for (const double fov_deg : {1.0, 60.0}) {
+      View view;
+      view.projection = Projection::perspective;
+      view.fov = fov_deg * deg;
+      view.width = view.height = 401;
+      view.azimuth = sky.moon.place.azimuth + 1.3e-3 * view.fov;
+      view.altitude = sky.moon.place.altitude + 0.7e-3 * view.fov;
+      view.roll = 20.0 * deg;
+      const gpu::Frame frame = renderer.render(sky, view, plan_frame(sky, view, {}, options));
+      const auto error = [&](int channel, double expected) {
+        return 100.0 * (illuminance_in(frame, view, 0, 0, view.width, view.height, channel) / expected - 1.0);
+      };
+      y.add(error(1, light.y));
+      for (const double off : {error(0, light.x), error(2, light.z), error(3, light.s)}) {
+        others.add(off);
+      }
+    }
+  }
+  y.hold("Y of the eclipsed Moon's pixels against its light", 0.5, "%");
+  others.hold("X, Z and S of them", 0.7, "%");
+}
+
+TEST_F(DiscFlux, AFewPixelsOfTheRealMoon) {
+  options.discs.moon = nullptr;
+  struct Phase {
+    const char* name;
+    const char* stamp;
+  };
+  for (const Phase& phase : {Phase{"full", "2026-05-01T20:00:00Z"}, Phase{"gibbous", "2026-05-27T20:00:00Z"},
+                             Phase{"half", "2026-05-23T20:00:00Z"}}) {
+    ErrorSum sum;
+    for (const double fov_deg : {40.0, 25.0, 18.0, 9.0}) { // 4 to 20 pixels
+      const ErrorSum some = errors(Body::moon, sky_at(phase.stamp), {Projection::perspective, fov_deg, 340}, 6);
+      sum.add(some.worst());
+    }
+    sum.hold(std::string("light of the real map, 4 to 20 px wide, ") + phase.name, 5.0e-3, "of it");
+  }
+}
+
 TEST_F(DiscFlux, Sun) { hold(Body::sun, "Sun", sky_at("2026-05-19T10:00:00Z"), 5.0e-3); }
 
 } // namespace

@@ -46,6 +46,8 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"
 #include "lib/sky_to_point.glsl"
+#include "lib/sun.glsl"
+#include "lib/dark_sky.glsl"
 layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler1D table; // of refraction
 layout(binding = 1) uniform sampler2D extinction_table;
@@ -216,6 +218,23 @@ std::vector<FunctionCase> function_cases() {
        {2, 2, 2, 2},
        6,
        1.0e-5F},
+      {"airglow_paths",
+       "vec4(airglow_paths(v.x, v.y, 6371.0), 0, 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::airglow_paths(v.x, v.y, 6371.0F), 0, 0); },
+       {-1, 0, 0, 0},
+       {1, 400, 0, 0},
+       81,
+       1.0e-3F},
+      {"zodiacal light and faint stars",
+       "vec4(zodiacal_place(normalize(v.xyz)), log2(dust_law(normalize(v.xyz))), starlight_s10(normalize(v.xyz)))",
+       [](const glm::vec4& v) {
+         const glm::vec3 at = glm::normalize(glm::vec3(v));
+         return glm::vec4(f32::zodiacal_place(at), std::log2(f32::dust_law(at)), f32::starlight_s10(at));
+       },
+       {-1, -0.9F, -0.8F, 0},
+       {1, 1, 1, 0},
+       22,
+       1.0e-4F},
       {"phase functions",
        "vec4(rayleigh_phase(v.x, v.z), henyey_greenstein_phase(v.x, v.y), cornette_shanks_phase(v.x, v.y), "
        "schlick_phase(v.x, v.y))",
@@ -287,11 +306,11 @@ std::vector<FunctionCase> function_cases() {
        1.0e-3F},
       {"lunar_eclipse_texel",
        "vec4(lunar_eclipse_texel(v.xy, EarthShadow(vec3(0.0, 0.0, 1.0), 1.496e8, 695990.0, 6441.9), "
-       "LunarEclipseFrame(2, 80, 64, 2, 3.8e5, 1.0e-4, 6436.0, 6491.0, 250.0)), 0, 0)",
+       "LunarEclipseMap(80, 64, 2, 3.8e5, 1.0e-4, 6436.0, 6491.0, 250.0)), 0, 0)",
        [](const glm::vec4& v) {
          const f32::EarthShadow shadow{{0.0F, 0.0F, 1.0F}, 1.496e8F, 695990.0F, 6441.9F};
-         const f32::LunarEclipseFrame frame{2, 80, 64, 2, 3.8e5F, 1.0e-4F, 6436.0F, 6491.0F, 250.0F};
-         return glm::vec4(f32::lunar_eclipse_texel(glm::vec2(v), shadow, frame), 0, 0);
+         const f32::LunarEclipseMap map{80, 64, 2, 3.8e5F, 1.0e-4F, 6436.0F, 6491.0F, 250.0F};
+         return glm::vec4(f32::lunar_eclipse_texel(glm::vec2(v), shadow, map), 0, 0);
        },
        {0, 3.6e5F, 0, 0},
        {9000, 4.1e5F, 0, 0},

@@ -145,7 +145,7 @@ TEST(EclipseLight, ItsTableIsThatOfTheTier) {
   EXPECT_EQ(lunar_eclipse_table(total.lunar_eclipse, light, {}, Tier::cheap).frame.kind, f64::lunar_eclipse_published);
   const LunarEclipseTable table = lunar_eclipse_table(total.lunar_eclipse, light);
   EXPECT_EQ(table.frame.kind, f64::lunar_eclipse_table);
-  EXPECT_EQ(table.texels.size(), static_cast<std::size_t>(table.width() * table.frame.rows));
+  EXPECT_EQ(table.texels.size(), static_cast<std::size_t>(table.frame.columns * table.frame.rows));
   EXPECT_THROW(static_cast<void>(lunar_eclipse_table(total.lunar_eclipse, light, {4.5, nullptr})), Error);
   EXPECT_THROW(static_cast<void>(sunlight_on_moon(total.lunar_eclipse, {std::nan(""), nullptr})), Error);
   // Its mean over the disc is the light that the sky is lit with.

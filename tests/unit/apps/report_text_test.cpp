@@ -36,7 +36,7 @@ TEST(ReportText, ALowSunHasAnApparentAltitude) {
   ASSERT_GT(altitude, -2.0);
   ASSERT_LT(altitude, 0.0);
   const auto sun_line = [&] {
-    const std::string text = scene_text(sky, default_star_catalogue(), {});
+    const std::string text = scene_text(sky, default_star_catalogue(), {}, {});
     const std::size_t at = text.find("Sun ");
     return text.substr(at, text.find('\n', at) - at);
   };

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace vesper {
@@ -115,8 +116,16 @@ TEST_F(SceneOptionsTest, RangesAreHeldAndNamed) {
       {{"--tier", "best"}, "cheap, default, reference"},
       {{"--medium", "mars"}, "--medium: 'mars' is not allowed; allowed: clear, published or a file"},
       {{"--medium", ""}, "clear, published or a file"},
-      {{"--layers", "stars,moonbase"}, "stars, planets, moon, sun, sky, ground"},
-      {{"--layers", "stars,"}, "stars, planets, moon, sun, sky, ground"},
+      {{"--solar-flux", "59"}, "60 to 400 solar flux units"},
+      {{"--sky-glow", "1.5"}, "bortle1 to bortle9"},
+      {{"--sky-glow", "-0.1"}, "0 to 1 (cd/m2)"},
+      {{"--sky-glow", "22.1mag"}, "10mag to 22mag"},
+      {{"--sky-glow", "bortle10"}, "bortle1 to bortle9"},
+      {{"--sky-glow", "mag"}, "10mag to 22mag"},
+      {{"--sky-glow-azimuth", "361"}, "-360 to 360 degrees"},
+      {{"--sky-glow-distance", "0.5"}, "1 to 300 km"},
+      {{"--layers", "stars,moonbase"}, "stars, planets, milky-way, moon, sun, sky, airglow"},
+      {{"--layers", "stars,"}, "stars, planets, milky-way, moon, sun, sky, airglow"},
       {{"--seed", "-1"}, "0 to 18446744073709551615"},
       {{"--time-scale", "gps"}, "utc, ut1, tt"},
       {{"--time", "2026-02-30"}, "month 2 has no day 30"},
@@ -212,6 +221,21 @@ TEST_F(SceneOptionsTest, FaultsInFilesNameFileAndLine) {
             std::string::npos);
 }
 
+TEST_F(SceneOptionsTest, SkyGlowIsGivenAsPeopleGiveIt) {
+  const auto glow = [](const char* text) {
+    return resolve({"--sky-glow", text}).dark_sky.glow.zenith.to(candela_per_m2);
+  };
+  EXPECT_EQ(resolve({}).dark_sky.glow.zenith, Luminance());
+  EXPECT_EQ(glow("off"), 0.0);
+  EXPECT_EQ(glow("0.002"), 0.002);
+  // 10.8e4 * 10^(-0.4 m) cd/m2, less that of a natural night.
+  EXPECT_NEAR(glow("20mag"), 10.8e4 * (std::pow(10.0, -8.0) - std::pow(10.0, -8.8)), 1.0e-5);
+  EXPECT_EQ(glow("22mag"), 0.0);
+  EXPECT_EQ(glow("bortle1"), 0.0);
+  EXPECT_EQ(glow("bortle5"), glow("20mag"));
+  EXPECT_GT(glow("bortle9"), glow("bortle8"));
+}
+
 TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
   std::string text;
   for (const SceneOptionDescription& option : scene_option_table()) {
@@ -225,7 +249,9 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "calendar"   ? "\"gregorian\""
              : option.name == "medium"     ? "\"published\""
              : option.name == "sky"        ? "\"tables\""
+             : option.name == "solar-flux" ? "107"
              : option.name == "danjon"     ? "3"
+             : option.name == "sky-glow"   ? "0.007"
                                            : "7") +
             "\n";
   }
@@ -235,6 +261,10 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
   EXPECT_EQ(scene.tier, Tier::cheap);
   EXPECT_EQ(scene.seed, 7U);
   EXPECT_EQ(scene.medium_name, "published");
+  EXPECT_EQ(scene.dark_sky.solar_flux_sfu, 107.0);
+  EXPECT_EQ(scene.dark_sky.glow.zenith, 0.007 * candela_per_m2);
+  EXPECT_EQ(scene.dark_sky.glow.azimuth, 7.0 * deg);
+  EXPECT_EQ(scene.dark_sky.glow.distance, 7.0 * kilometre);
   EXPECT_EQ(scene.instant.tt.days_since({2461264.5, 0.0}), 0.0);
 }
 
