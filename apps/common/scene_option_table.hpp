@@ -10,8 +10,8 @@ namespace vesper {
 /// What a scene file may hold for an option.
 enum class SceneValueKind {
   text,
-  time,         ///< text or a TOML date-time
-  number,       ///< integer or float
+  time,   ///< text or a TOML date-time
+  number, ///< integer or float
   number_or_text,
   integer,      ///< integer
   list,         ///< comma-separated text or an array of text

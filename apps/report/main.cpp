@@ -231,7 +231,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
          "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, "
          "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, "
-         "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; default "
+         "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; "
+         "default "
          "(the usual ones), planets, discs and light stand for groups; default default, of a scene as JSON discs and "
          "light too")
       ->type_name("LIST");

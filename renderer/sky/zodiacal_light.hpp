@@ -21,8 +21,8 @@ namespace vesper {
 [[nodiscard]] Vec4 zodiacal_luminance(const Vec3& direction);
 
 /// The same as texels for f64::zodiacal_place: log2 of X, Y, Z and S over f64::dust_law, every degree of longitude and
-/// latitude from 0, row by row. Linear between texels it keeps within 1.5 % of zodiacal_luminance, and within 0.5 % more than
-/// 15 degrees from the Sun.
+/// latitude from 0, row by row. Linear between texels it keeps within 1.5 % of zodiacal_luminance, and within 0.5 %
+/// more than 15 degrees from the Sun.
 struct ZodiacalMap {
   static constexpr int columns = 181;
   static constexpr int rows = 91;
