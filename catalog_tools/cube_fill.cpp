@@ -210,7 +210,7 @@ CubeFillReport fill_cube(CubeSum& cube, double largest_hole_sr) {
     const double factor = whole / static_cast<double>(light.solid_angle_sr);
     gain.solid_angle_sr += std::abs(more);
     for (std::size_t c = 0; c < light.light.size(); ++c) {
-      const double before = static_cast<double>(light.light[c]);
+      const auto before = static_cast<double>(light.light[c]);
       gain.light[c] += std::abs(factor - 1.0) * before;
       light.light[c] = static_cast<float>(factor * before);
     }

@@ -239,7 +239,7 @@ PictureWcs::PictureWcs(const std::string& cards, const std::string& file, const 
                                    prm.equinox == UNDEFINED ? std::nullopt : std::optional<double>(prm.equinox));
   if (!axes) {
     fail(letters == "RA" ? "RADESYS, EQUINOX" : "CTYPE1",
-         fmt::format("the frame is not known: \"{}\", RADESYS \"{}\", EQUINOX {}", letters, trimmed(prm.radesys),
+         fmt::format(R"(the frame is not known: "{}", RADESYS "{}", EQUINOX {})", letters, trimmed(prm.radesys),
                      prm.equinox == UNDEFINED ? "missing" : fmt::format("{}", prm.equinox)),
          "Known are GLON, SLON, ELON (equinox J1984 or later) and RA (ICRS, FK5, FK4 of B1950)");
   }

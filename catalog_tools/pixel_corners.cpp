@@ -38,8 +38,10 @@ bool PixelCorners::interpolate(const PixelBox& cell) {
   constexpr std::size_t nodes = nodes_a_side * nodes_a_side;
   const auto place = [&](double s, double t) { return Vec2(cell.x + s * cell.width, cell.y + t * cell.height); };
   places_.clear();
-  for (std::size_t i = 0; i < nodes; ++i) {
-    places_.push_back(place(0.5 * static_cast<double>(i % nodes_a_side), 0.5 * static_cast<double>(i / nodes_a_side)));
+  for (const double t : {0.0, 0.5, 1.0}) {
+    for (const double u : {0.0, 0.5, 1.0}) {
+      places_.push_back(place(u, t));
+    }
   }
   for (const double t : worst) {
     for (const double s : worst) {
