@@ -179,7 +179,7 @@ TEST_F(StarPlaceGpu, StarsSetWhereTheHorizonIsDrawn) {
     view.azimuth = 0.0 * deg;
     view.altitude = sky.refraction.table->horizon;
     FrameOptions options = refracted_stars();
-    options.layers = all_layers();
+    options.layers.set(static_cast<std::size_t>(Layer::ground));
     // A star's spread is some 5 pixels of 7 arcsec; the sky is squeezed there.
     for (const double above_arcmin : {-4.0, 4.0}) {
       const double altitude = (setting + above_arcmin * arcmin).to(rad);

@@ -24,7 +24,7 @@ TEST_F(EclipseCli, LunarOnesOfAYear) {
   ASSERT_EQ(result.status, 0) << result.err;
   EXPECT_EQ(result.err, "");
   EXPECT_TRUE(result.out.starts_with("greatest,type,gamma,umbral_magnitude,penumbral_magnitude,P1,U1,U2,U3,U4,P4,"
-                                     "moon_altitude_deg\n"))
+                                     "moon_altitude_deg,moon_magnitude,moon_danjon\n"))
       << result.out;
   const CsvTable out = table_of(result);
   ASSERT_EQ(out.row_count(), 2U);
@@ -35,6 +35,11 @@ TEST_F(EclipseCli, LunarOnesOfAYear) {
   EXPECT_TRUE(out.cell(1, out.column("U4")).ends_with("Z"));
   EXPECT_NEAR(out.number(1, out.column("umbral_magnitude")), 0.930, 0.002);
   EXPECT_GT(out.number(1, out.column("moon_altitude_deg")), 0.0);
+  EXPECT_NEAR(out.number(0, out.column("moon_magnitude")), -2.2, 1.0);
+  EXPECT_GT(out.number(0, out.column("moon_danjon")), 2.0); // it only just goes in
+  EXPECT_EQ(out.cell(1, out.column("moon_danjon")), "");
+  const CsvTable dark = table_of(run(std::string("--from 2026 --to 2026 --kind lunar --danjon 0") + burgos));
+  EXPECT_GT(dark.number(0, dark.column("moon_magnitude")), out.number(0, out.column("moon_magnitude")) + 1.0);
   const CommandResult chauvenet = run(std::string("--from 2026 --to 2026 --kind lunar --shadow chauvenet") + burgos);
   const CsvTable wider = table_of(chauvenet);
   EXPECT_NEAR(wider.number(1, wider.column("umbral_magnitude")), 0.935, 0.002);
