@@ -27,6 +27,9 @@ sheet() {
     time=$(date -u -d "@$(($(date -u -d "$start" +%s) + i * step))" +%Y-%m-%dT%H:%M:%SZ)
     read -r azimuth altitude umbral obscuration < <(quantities \
       "${body}_azimuth_deg,${body}_altitude_deg,moon_umbral_magnitude,sun_obscuration" --time "$time" "$@")
+    # Where the air shows it (Saemundsson's formula, by which the picture need only be centred).
+    altitude=$(awk -v h="$altitude" 'BEGIN { x = (h + 10.3 / (h + 5.11)) * atan2(0, -1) / 180
+                                             print h + 1.02 / 60 * cos(x) / sin(x) }')
     exposure=$(awk -v u="$umbral" -v o="$obscuration" -v s="$stops" 'BEGIN { print (u >= 1 || o >= 1) ? s : 0 }')
     pictures+=("$tiles/$name-$i.png")
     "$bin/vesper-render" --quiet --time "$time" "$@" --projection perspective --azimuth "$azimuth" \
@@ -39,5 +42,8 @@ sheet() {
 # The examples of Mueller, Engel and Doellner 2012: every quarter of an hour.
 sheet lunar_eclipse_2011 moon 6x3 2011-06-15T18:15:00Z 900 0.8 200 3 --latitude 12.87 --longitude 74.88
 sheet lunar_eclipse_2010 moon 6x3 2010-12-21T06:15:00Z 900 0.8 200 3 --latitude 40.71 --longitude -74.01
-# Burgos, every twelve minutes before and after totality; then totality itself, wide.
-sheet solar_eclipse_2026 sun 5x2 2026-08-12T17:41:00Z 720 0.9 240 0 --latitude 42.34 --longitude -3.70 --height 860
+# Burgos, every eleven minutes until sunset, and totality with its landscape of light.
+sheet solar_eclipse_2026 sun 5x2 2026-08-12T17:45:20Z 660 0.9 240 -3 --latitude 42.34 --longitude -3.70 --height 860
+"$bin/vesper-render" --quiet --time 2026-08-12T18:29:20Z --latitude 42.34 --longitude -3.70 --height 860 --seed 1 \
+  --projection perspective --azimuth 282 --altitude 20 --fov 60 --size 1200x600 --exposure -1.5 -o docs/pictures/totality_2026.png
+echo docs/pictures/totality_2026.png
