@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Writes docs/PANORAMA.md and its chart: what `vesper-catalog panorama` costs, and beside it the packaged reproject.
 
-    docs/panorama.py build/release/bin/vesper-catalog [FOLDER FOR 8 GB OF SPARSE FILES]
+    docs/panorama.py build/release/bin/vesper-catalog [FOLDER FOR 8 GB OF SPARSE FILES [--alone]]
+
+With --alone without reproject, which takes an hour of a busy machine.
 
 Needs Debian's python3-reproject, python3-pil and openimageio-tools. Keeps the times of the sparse files in that folder
 and takes them from there the next time. Takes some minutes.
@@ -19,7 +21,6 @@ import numpy as np
 from PIL import Image
 from astropy.io import fits
 from astropy.wcs import WCS
-from reproject import reproject_exact
 
 TOOL = os.path.abspath(sys.argv[1])
 DOCS = os.path.dirname(os.path.abspath(__file__))
@@ -139,6 +140,7 @@ def compare(folder):
     values = np.asarray(Image.open(flat)).astype(float)
     ours_errors = errors([values[i * FACE:(i + 1) * FACE] for i in range(6)])
 
+    from reproject import reproject_exact
     usage = resource.getrusage(resource.RUSAGE_SELF)
     start = time.monotonic()
     with fits.open(path) as file:
@@ -200,7 +202,6 @@ def main():
         os.remove(path)
     json.dump(rows, open(kept, "w"))
     chart(rows)
-    ours, ours_errors, theirs, theirs_errors, gaps = compare(folder)
     with open(os.path.join(DOCS, "panorama_head.md")) as f:
         page = f.read()
     page += "| picture | wall | processor | memory |\n|---|---|---|---|\n"
@@ -210,7 +211,10 @@ def main():
 ![Processor seconds against megapixels, with a line of slope one](pictures/panorama_cost.svg)
 
 The floor on the left is what a map of {FACE} costs whatever it is made from.
-
+"""
+    if "--alone" not in sys.argv:
+        ours, ours_errors, theirs, theirs_errors, gaps = compare(folder)
+        page += f"""
 ## Beside reproject
 The same job for both in one run: {WIDTH} x {HEIGHT} x 3 in galactic CAR to six faces of {FACE} along ICRS axes, a band of
 known integral (0.2 + exp(-30 sin(b)^2) (1.5 + cos(b) cos(l))). `reproject_exact` of Debian's python3-reproject makes six TAN pictures, of
