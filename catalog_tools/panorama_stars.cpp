@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -83,9 +84,9 @@ struct PanoramaStars::Pixel {
   double solid_angle_sr;
 };
 
-PanoramaStars::PanoramaStars(const StarCatalogue& catalogue, const std::string& catalogue_file, const PictureWcs& wcs,
+PanoramaStars::PanoramaStars(const StarCatalogue& catalogue, const std::string& catalogue_file, PictureWcs wcs,
                              int width, int height, const PanoramaStarOptions& options)
-    : wcs_(wcs), width_(width), height_(height), options_(options) {
+    : wcs_(std::move(wcs)), width_(width), height_(height), options_(options) {
   const double years = options.epoch_jyear - catalogue.provenance.epoch_jyear;
   if (!(std::abs(years) <= furthest_epoch_yr)) {
     throw Error(ErrorKind::input,

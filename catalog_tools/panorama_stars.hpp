@@ -47,7 +47,7 @@ public:
 
   /// Throws Error(input), naming `catalogue_file`, for an epoch more than a century from the picture's: the motions are
   /// straight lines.
-  PanoramaStars(const StarCatalogue& catalogue, const std::string& catalogue_file, const PictureWcs& wcs, int width,
+  PanoramaStars(const StarCatalogue& catalogue, const std::string& catalogue_file, PictureWcs wcs, int width,
                 int height, const PanoramaStarOptions& options);
 
   /// Deals with the stars whose centre lies in rows before `end` and was not yet dealt with.

@@ -16,6 +16,7 @@
 #include "vesper/catalog_tools/panorama.hpp"
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
@@ -92,12 +93,8 @@ bool is_fits(const std::string& path) {
   std::string name = fs::path(path).filename().string();
   std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const char* ending : {".fits", ".fit", ".fts", ".fits.gz", ".fit.gz", ".fts.gz", ".fits.fz", ".fz"}) {
-    if (name.ends_with(ending)) {
-      return true;
-    }
-  }
-  return false;
+  constexpr std::array endings{".fits", ".fit", ".fts", ".fits.gz", ".fit.gz", ".fts.gz", ".fits.fz", ".fz"};
+  return std::any_of(endings.begin(), endings.end(), [&](const char* ending) { return name.ends_with(ending); });
 }
 
 /// A picture with its coordinates and what messages call it.
@@ -167,12 +164,8 @@ OpenedPicture open_picture(const PanoramaCommand& command) {
 /// Units that mean a luminance in cd/m2.
 bool is_luminance_unit(std::string unit) {
   unit.erase(std::remove(unit.begin(), unit.end(), ' '), unit.end());
-  for (const char* known : {"cd/m2", "cdm-2", "cd/m**2", "cd/m^2", "cd.m-2", "cdm**-2", "nit", "cd*m-2"}) {
-    if (unit == known) {
-      return true;
-    }
-  }
-  return false;
+  constexpr std::array known{"cd/m2", "cdm-2", "cd/m**2", "cd/m^2", "cd.m-2", "cdm**-2", "nit", "cd*m-2"};
+  return std::find(known.begin(), known.end(), unit) != known.end();
 }
 
 void choose_calibration(const PanoramaCommand& command, const OpenedPicture& opened, PanoramaOptions& options) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <string>
@@ -40,6 +41,7 @@ void compare(const Medium& medium, const std::string& name) {
   const SpectralAir optics(medium, wavelengths_nm);
   const LightField field(air, optics);
   const ReferenceTransport reference(medium, wavelengths_nm);
+  const bool full = std::getenv("VESPER_TEST_FULL") != nullptr;
   for (const Span& span : spans) {
     test::ErrorSum irradiance;
     double squares = 0.0;
@@ -49,7 +51,7 @@ void compare(const Medium& medium, const std::string& name) {
     budget.least_paths = 2048;
     for (const double sun : span.altitudes_deg) {
       SkyQuery query{0.0 * kilometre, toward(0.0, sun), 0.2666 * deg, {}};
-      for (const double altitude : {90.0, 45.0, 15.0, 5.0, 1.0}) {
+      for (const double altitude : full ? std::vector{90.0, 45.0, 15.0, 5.0, 1.0} : std::vector{90.0, 15.0, 1.0}) {
         for (const double azimuth : {0.0, 60.0, 180.0}) {
           if (altitude == 90.0 && azimuth > 0.0) {
             continue;

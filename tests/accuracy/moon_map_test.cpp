@@ -131,7 +131,8 @@ TEST(MoonMapAccuracy, LightIsConserved) {
   double light = 0.0;
   double area = 0.0;
   for (std::size_t i = 0; i < picture.values.size(); ++i) {
-    const double weight = std::sin((static_cast<double>(i / 1024) + 0.5) * std::numbers::pi / 512);
+    const std::size_t row = i / 1024;
+    const double weight = std::sin((static_cast<double>(row) + 0.5) * std::numbers::pi / 512);
     light += weight * static_cast<double>(picture.values[i]);
     area += weight;
   }

@@ -73,7 +73,8 @@ TEST(PanoramaAccuracy, TotalLightInEveryProjection) {
       expected = 0.0;
       constexpr int steps = 400;
       for (int i = 0; i < steps * steps; ++i) {
-        const Vec2 place((i % steps + 0.5) / steps, (i / steps + 0.5) / steps);
+        const int row = i / steps;
+        const Vec2 place((i % steps + 0.5) / steps, (row + 0.5) / steps);
         const Vec2 plane = half * (2.0 * place - 1.0);
         const double solid_angle =
             std::pow(2.0 * half / steps, 2.0) / std::pow(1.0 + plane.x * plane.x + plane.y * plane.y, 1.5);
@@ -309,7 +310,7 @@ TEST(PanoramaAccuracy, StarsGiveTheZeroPointAndGo) {
   const StarCatalogue& catalogue = default_star_catalogue();
   PictureWcs wcs = sky.header.wcs();
   PanoramaStars stars(catalogue, "embedded stars", wcs, 3600, 1800, {});
-  PictureStrip strip{0, 1800, 3600, 1, std::vector<float>(3600U * 1800U)};
+  PictureStrip strip{0, 1800, 3600, 1, std::vector<float>(3600UL * 1800UL)};
   made.read(0, 0, strip.values);
   stars.process(strip, 1801);
 

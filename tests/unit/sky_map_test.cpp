@@ -47,11 +47,11 @@ TEST_F(SkyMaps, ComeBackAsWritten) {
 }
 
 TEST_F(SkyMaps, OtherPicturesAreNamed) {
-  write_exr(path("flat.exr"), 16, 16, std::vector<float>(16U * 16U * 4U), {});
+  write_exr(path("flat.exr"), 16, 16, std::vector<float>(16UL * 16UL * 4UL), {});
   expect_error("flat.exr", "is no cube map");
-  write_exr(path("other.exr"), 16, 96, {"R", "G", "B"}, std::vector<float>(16U * 96U * 3U), ExrDepth::single, {});
+  write_exr(path("other.exr"), 16, 96, {"R", "G", "B"}, std::vector<float>(16UL * 96UL * 3UL), ExrDepth::single, {});
   expect_error("other.exr", "no channel X");
-  write_exr(path("bare.exr"), 16, 96, std::vector<float>(16U * 96U * 4U), {});
+  write_exr(path("bare.exr"), 16, 96, std::vector<float>(16UL * 96UL * 4UL), {});
   expect_error("bare.exr", "missing from the provenance");
   SkyMap map = ramp();
   map.texels[4 * 17 + 2] = std::numeric_limits<float>::infinity();

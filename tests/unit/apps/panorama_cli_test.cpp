@@ -31,7 +31,7 @@ protected:
   static FitsContent sky(const std::string& more = card("BUNIT", "cd/m2")) {
     FitsContent content{
         72, 36, 1, FLOAT_IMG, 0, false, SkyHeader{"CAR", "GLON", "GLAT", 72, 36, 5.0, 0.0, 0.0, more}.cards(), {}};
-    content.values.assign(72U * 36U, 0.25F);
+    content.values.assign(72UL * 36UL, 0.25F);
     return content;
   }
   void write_fits(const std::string& name, const FitsContent& content) const { test::write_fits(path(name), content); }
@@ -120,8 +120,8 @@ TEST_F(PanoramaCli, HolesAndMissingPolesAreFilledAndReported) {
 
 TEST_F(PanoramaCli, AWholeSkyPictureWithoutCoordinates) {
   // Right ascension 90 at the left, falling to the right; a white spot at right ascension 30, declination 45.
-  std::vector<std::uint8_t> pixels(360U * 180U * 4U, 0);
-  const std::size_t spot = 4 * (45U * 360U + 60U);
+  std::vector<std::uint8_t> pixels(360UL * 180UL * 4UL, 0);
+  const std::size_t spot = 4 * (45UL * 360UL + 60UL);
   std::fill_n(pixels.begin() + spot, 3, std::uint8_t{255});
   write_png(path("sky.png"), 360, 180, pixels, {});
   expect_failure(1, "none.png -o out.exr --frame icrs --zero-point 20", {"none.png"});
@@ -160,7 +160,7 @@ TEST_F(PanoramaCli, AnInterruptLeavesTheOldOutputAndNoOther) {
                     0,
                     false,
                     SkyHeader{"AIT", "GLON", "GLAT", 3600, 1800, 0.1, 0.0, 0.0, card("BUNIT", "cd/m2")}.cards(),
-                    std::vector<float>(3600U * 1800U, 1.0F)};
+                    std::vector<float>(3600UL * 1800UL, 1.0F)};
   write_fits("in.fits", large);
   write("out.exr", "an earlier file");
   // The shell that becomes the program tells its own number to one that waits.
