@@ -13,23 +13,30 @@
 namespace vesper {
 namespace {
 
-MoonBrightness moon_of(const SkyState& sky) { return moon_brightness(moonlight_of(sky), sky.moon.place.distance); }
+/// Found once a scene: in an eclipse it takes most of a row's time.
+const DiscBrightness& discs_of(const ReportedScene& scene) {
+  if (!scene.discs) {
+    const SkyState& sky = scene.sky;
+    const Spectrum sunlight = sunlight_of(sky);
+    scene.discs = {v_magnitude(sunlight), integrate_xyzs(sunlight).y,
+                   moon_brightness(moonlight_of(sky), sky.moon.place.distance)};
+  }
+  return *scene.discs;
+}
 
-double sun_illuminance_lux(const SkyState& sky) { return integrate_xyzs(sunlight_of(sky)).y; }
-
-double sun_disc_luminance_cd_m2(const SkyState& sky) {
-  const double sine = sun_radius / sky.sun.distance;
-  return sun_illuminance_lux(sky) / (std::numbers::pi * sine * sine);
+double sun_disc_luminance_cd_m2(const ReportedScene& scene) {
+  const double sine = sun_radius / scene.sky.sun.distance;
+  return discs_of(scene).sun_illuminance_lux / (std::numbers::pi * sine * sine);
 }
 
 constexpr std::array columns{
-    SceneColumn{"sun_magnitude", [](const ReportedScene& s) { return v_magnitude(sunlight_of(s.sky)); }},
-    SceneColumn{"sun_illuminance_lux", [](const ReportedScene& s) { return sun_illuminance_lux(s.sky); }},
-    SceneColumn{"sun_disc_luminance_cd_m2", [](const ReportedScene& s) { return sun_disc_luminance_cd_m2(s.sky); }},
-    SceneColumn{"moon_magnitude", [](const ReportedScene& s) { return moon_of(s.sky).v_magnitude; }},
-    SceneColumn{"moon_illuminance_lux", [](const ReportedScene& s) { return moon_of(s.sky).illuminance.y; }},
+    SceneColumn{"sun_magnitude", [](const ReportedScene& s) { return discs_of(s).sun_magnitude; }},
+    SceneColumn{"sun_illuminance_lux", [](const ReportedScene& s) { return discs_of(s).sun_illuminance_lux; }},
+    SceneColumn{"sun_disc_luminance_cd_m2", sun_disc_luminance_cd_m2},
+    SceneColumn{"moon_magnitude", [](const ReportedScene& s) { return discs_of(s).moon.v_magnitude; }},
+    SceneColumn{"moon_illuminance_lux", [](const ReportedScene& s) { return discs_of(s).moon.illuminance.y; }},
     SceneColumn{"moon_disc_luminance_cd_m2",
-                [](const ReportedScene& s) { return moon_of(s.sky).mean_luminance.to(candela_per_m2); }},
+                [](const ReportedScene& s) { return discs_of(s).moon.mean_luminance.to(candela_per_m2); }},
     SceneColumn{"moon_danjon", [](const ReportedScene& s) { return seen_danjon_of(s.sky); }},
 };
 

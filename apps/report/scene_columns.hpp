@@ -4,6 +4,7 @@
 #include "report/scene_air.hpp"
 #include "report/table_light.hpp"
 
+#include "vesper/sky/moon_illumination.hpp"
 #include "vesper/sky/sky_state.hpp"
 
 #include <optional>
@@ -13,12 +14,20 @@
 
 namespace vesper {
 
+/// Sun and Moon above the air, as body_columns.hpp reports them.
+struct DiscBrightness {
+  double sun_magnitude = 0.0;
+  double sun_illuminance_lux = 0.0;
+  MoonBrightness moon;
+};
+
 /// What columns are made from, and what several of them share. For one thread.
 struct ReportedScene {
   const SkyState& sky;
   const SceneAir& air;
-  mutable std::optional<SceneLight> light; ///< by source: see light_of in light_columns.hpp
-  mutable std::optional<DarkLight> dark;   ///< likewise
+  mutable std::optional<SceneLight> light;       ///< by source: see light_of in light_columns.hpp
+  mutable std::optional<DarkLight> dark;         ///< likewise
+  mutable std::optional<DiscBrightness> discs{}; ///< see body_columns.hpp
 };
 
 /// A quantity whose name carries its unit.
