@@ -52,7 +52,7 @@ void compare(const Medium& medium, const std::string& name) {
     for (const double sun : span.altitudes_deg) {
       SkyQuery query{0.0 * kilometre, toward(0.0, sun), 0.2666 * deg, {}};
       for (const double altitude : full ? std::vector{90.0, 45.0, 15.0, 5.0, 1.0} : std::vector{90.0, 15.0, 1.0}) {
-        for (const double azimuth : {0.0, 60.0, 180.0}) {
+        for (const double azimuth : full ? std::vector{0.0, 60.0, 180.0} : std::vector{0.0, 180.0}) {
           if (altitude == 90.0 && azimuth > 0.0) {
             continue;
           }

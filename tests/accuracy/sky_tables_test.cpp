@@ -100,7 +100,7 @@ public:
       Sums moon;
       for (const double light : span.lights_deg) {
         for (const double height_km : {0.0, 2.4, 11.0}) {
-          for (int i = 0; i < (thorough() ? 16 : 4); ++i) {
+          for (int i = 0; i < (thorough() ? 16 : 3); ++i) {
             const Vec2 place = draw();
             add(query(light, height_km, 1.0 + 89.0 * std::pow(place.x, 1.5), 360.0 * place.y), span.reference_error,
                 sun, moon);

@@ -148,7 +148,6 @@ TEST(ReferenceTransport, ConservativeAirReturnsWhatItReceives) {
     }
   } else {
     sum.add(100.0 * surplus(conservative(1.0, 0.8), Look::down_from_the_top, 0.0024));
-    sum.add(100.0 * surplus(conservative(4.0, 0.0), Look::up_from_the_ground, 0.0024));
     sum.add(100.0 * surplus(conservative(1.0, -0.5), Look::level, 0.0024));
   }
   sum.hold("conservative air between lights all around: light received", 0.3, "%");

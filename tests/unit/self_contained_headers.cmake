@@ -21,5 +21,7 @@ foreach(floor IN LISTS floors)
     add_library(vesper_headers_${name} OBJECT ${sources})
     target_link_libraries(vesper_headers_${name} PRIVATE ${floor})
     vesper_compile_options(vesper_headers_${name})
+    # Only to see that they compile.
+    target_compile_options(vesper_headers_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang>:-O0>)
   endif()
 endforeach()
