@@ -226,7 +226,8 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
   // In totality the sky is as in civil twilight, and the first stars come out.
   const bool sun_hidden = sky.solar_eclipse.obscuration >= 1.0 && sky.sun.altitude > almanac_sunrise_altitude;
-  fmt::format_to(out, "Sky     {}\n", sun_hidden ? "dark in a total eclipse of the Sun" : sky_condition(sky.sun.altitude));
+  fmt::format_to(out, "Sky     {}\n",
+                 sun_hidden ? "dark in a total eclipse of the Sun" : sky_condition(sky.sun.altitude));
   fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction, horizon));
   fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit, {:.2f} mag\n", where(moon, refraction, horizon),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction,

@@ -61,8 +61,8 @@ f32::StarExtinctionFrame single(const f64::StarExtinctionFrame& frame) {
 
 DiscPass::DiscPass(const ShaderLibrary& library, const std::string& fragment_stage)
     : programs_(library, {"disc.vert", fragment_stage}), sprite_programs_(library, {"disc.vert", "sprite.frag"}),
-      point_(library), uniforms_(make_dynamic_buffer(sizeof(DiscBlock))), sprite_(make_dynamic_buffer(most_sprite_bytes)),
-      no_vertices_(make_vertex_array()) {}
+      point_(library), uniforms_(make_dynamic_buffer(sizeof(DiscBlock))),
+      sprite_(make_dynamic_buffer(most_sprite_bytes)), no_vertices_(make_vertex_array()) {}
 
 void DiscPass::prepare(const PlannedDisc& disc, const SkyState& sky, const View& view, const FramePlan& plan,
                        const std::vector<std::string>& defines) {

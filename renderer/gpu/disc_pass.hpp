@@ -16,8 +16,8 @@
 
 namespace vesper::gpu {
 
-/// Draws a planned disc: its pixels with a fragment stage that includes disc_stage.glsl, or the point or the sprite that
-/// it is. All but points hide what is drawn already.
+/// Draws a planned disc: its pixels with a fragment stage that includes disc_stage.glsl, or the point or the sprite
+/// that it is. All but points hide what is drawn already.
 class DiscPass {
 public:
   /// The library must outlive the pass.

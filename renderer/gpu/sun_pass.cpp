@@ -26,7 +26,8 @@ SunPass::SunPass(const ShaderLibrary& library)
 
 void SunPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan) {
   const PlannedSun& sun = *plan.sun;
-  disc_.prepare(sun.picture, sky, view, plan, sun.corona ? std::vector<std::string>{"CORONA"} : std::vector<std::string>{});
+  disc_.prepare(sun.picture, sky, view, plan,
+                sun.corona ? std::vector<std::string>{"CORONA"} : std::vector<std::string>{});
   const SunBlock block{in_single(sun.disc.shading), f32::vec4(sun.moon), f32::vec4(sun.turn)};
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }

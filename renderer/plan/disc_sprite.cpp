@@ -64,7 +64,7 @@ private:
 /// A cell in the picture.
 struct SeenCell {
   Vec2 middle;
-  Vec2 size; ///< of the rectangle along the pixels' edges that spreads as far
+  Vec2 size; ///< along the pixels' edges: of the rectangle with the same moments of inertia
   double area;
 };
 
@@ -78,12 +78,21 @@ SeenCell cell_between(const Vec2& a, const Vec2& right, const Vec2& up, const Ve
           0.5 * std::abs(one.x * other.y - one.y * other.x)};
 }
 
-/// Calls `with(pixel, share)` for the whole numbers whose unit intervals an interval meets.
+/// Share of a tent from -1 to 1 that lies below t.
+double tent_below(double t) {
+  const double rest = 1.0 - std::min(std::abs(t), 1.0);
+  return t < 0.0 ? 0.5 * rest * rest : 1.0 - 0.5 * rest * rest;
+}
+
+/// Calls `with(pixel, share)` along one axis. A cell is spread as a tent over twice its size: whichever way cells are
+/// turned against the pixels, together they are even within a thousandth.
 template <class With> void for_pixels(double middle, double size, const With& with) {
-  const double low = middle - 0.5 * size;
-  const double high = middle + 0.5 * size;
-  for (double pixel = std::floor(low); pixel < high; pixel += 1.0) {
-    with(static_cast<int>(pixel), (std::min(high, pixel + 1.0) - std::max(low, pixel)) / size);
+  const double first = std::floor(middle - size);
+  double below = 0.0;
+  for (double pixel = first; pixel < middle + size; pixel += 1.0) {
+    const double to_its_end = tent_below((pixel + 1.0 - middle) / size);
+    with(static_cast<int>(pixel), to_its_end - below);
+    below = to_its_end;
   }
 }
 
@@ -170,9 +179,8 @@ std::optional<DiscSprite> disc_sprite(const SkyCircle& circle, const View& view,
     }
     below = std::move(above);
   }
-  // Cells turned against the pixels' edges do not tile their rectangles: by up to a thousandth.
   for (SpritePixel& pixel : sprite.pixels) {
-    pixel.cover = pixel.cover > 0.995F ? 1.0F : pixel.cover;
+    pixel.cover = pixel.cover > 0.999F ? 1.0F : pixel.cover; // opaque
   }
   return sprite;
 }

@@ -46,9 +46,8 @@ DiscGrid grid_of(const PlannedMoon& moon) {
     const MoonCell& by = *lit++;
     if (cell.inside > 0.0) {
       const Vec3 normal = moon.disc.fixed_from_disc * f64::disc_normal(cell.place, sine);
-      const Vec4 past_earth =
-          f64::lunar_eclipse_shares(moon.from_earth_km + moon_mean_radius.to(kilometre) * normal, moon.shadow,
-                                    moon.eclipse.frame, moon.eclipse.sampler());
+      const Vec4 past_earth = f64::lunar_eclipse_shares(moon.from_earth_km + moon_mean_radius.to(kilometre) * normal,
+                                                        moon.shadow, moon.eclipse.frame, moon.eclipse.sampler());
       cell.light = cell.inside * (static_cast<double>(by.sun) * past_earth * moon.disc.lighting.sunlit +
                                   static_cast<double>(by.earth) * moon.disc.lighting.earthlit);
       cell.hides = cell.inside;
@@ -79,8 +78,7 @@ void make_small(PlannedDisc& disc, const SkyCircle& circle, const DiscGrid& grid
                 const DiscScene& scene) {
   if (disc.width_px < narrowest_disc_px) {
     const Vec2 across = circle.scale * std::sin(circle.radius.to(rad)) * grid.centre_of_light();
-    const Vec3 centre =
-        horizon_from_disc(circle.direction) * Vec3(across, std::sqrt(1.0 - glm::dot(across, across)));
+    const Vec3 centre = horizon_from_disc(circle.direction) * Vec3(across, std::sqrt(1.0 - glm::dot(across, across)));
     disc.point = point_of(centre, light, disc.frame.flattening, scene);
     return;
   }
@@ -114,13 +112,12 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   const MoonIllumination& illumination = scene.moon_illumination();
   const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
   const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
-  PlannedMoon planned{
-      {},
-      moon_disc(scene.sky, globe->samples, illumination),
-      globe,
-      lunar_eclipse_table(eclipse, illumination.sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
-      earth_shadow(eclipse, fixed_from_icrs),
-      fixed_from_icrs * eclipse.moon_km};
+  PlannedMoon planned{{},
+                      moon_disc(scene.sky, globe->samples, illumination),
+                      globe,
+                      lunar_eclipse_table(eclipse, illumination.sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
+                      earth_shadow(eclipse, fixed_from_icrs),
+                      fixed_from_icrs * eclipse.moon_km};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
   planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);

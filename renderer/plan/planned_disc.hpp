@@ -52,8 +52,8 @@ struct PlannedDisc {
   std::vector<PixelBox> boxes;
   std::optional<PointLight> point;  ///< in place of the boxes
   std::optional<DiscSprite> sprite; ///< fills the one box
-  double width_px = 0.0;           ///< as disc_diameter_px has it
-  double cells_of_radius = 20.0;   ///< into which a small disc's radius is cut for its light, at least
+  double width_px = 0.0;            ///< as disc_diameter_px has it
+  double cells_of_radius = 20.0;    ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
 /// (smallest_psf_sigma in shaders/lib/star_psf.glsl).

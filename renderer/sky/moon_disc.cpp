@@ -67,8 +67,7 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumina
   const Vec3& direction = sky.moon.place.direction_horizon;
   const Mat3 fixed_from_horizon = axes_from_horizon(sky, to_observer);
   const Mat3 fixed_from_disc = fixed_from_horizon * horizon_from_disc(direction);
-  MoonLightSums sums =
-      sum_moon_light(samples, distance / moon_mean_radius * to_observer, lighting, fixed_from_disc);
+  MoonLightSums sums = sum_moon_light(samples, distance / moon_mean_radius * to_observer, lighting, fixed_from_disc);
   const double sun_wanted = integrate_xyzs(moon.sunlit_moon).y;
   const double sun_drawn = sums.sun * lighting.sunlit.y;
   const double earth_wanted = integrate_xyzs(moon.earthlit_moon).y;

@@ -19,8 +19,8 @@ struct MoonIllumination {
   Spectrum earthlight;    ///< on the Moon, W/(m2 nm)
   Spectrum sunlit_moon;   ///< what the observer gets of the Sun's light from the Moon, no eclipse, W/(m2 nm)
   Spectrum earthlit_moon; ///< what the observer gets of the Earth's light from the Moon, W/(m2 nm)
-  /// What the Earth's shadow leaves of the sunlight, by wavelength, averaged over what the observer sees of the built-in
-  /// map's Moon (eclipse_light.hpp). None outside an eclipse, which leaves all.
+  /// What the Earth's shadow leaves of the sunlight, by wavelength, averaged over what the observer sees of the
+  /// built-in map's Moon (eclipse_light.hpp). None outside an eclipse, which leaves all.
   std::optional<Spectrum> past_earth;
 };
 
