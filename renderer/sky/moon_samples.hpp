@@ -30,7 +30,7 @@ struct MoonCell {
   float sun = 0.0F; ///< luminance
   float earth = 0.0F;
 };
-inline constexpr int moon_cells_of_edge = 48;
+inline constexpr int moon_cells_of_edge = 64;
 
 /// What a disc gives an observer per lux on a plane at the Moon that faces the light.
 struct MoonLightSums {

@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -99,11 +100,16 @@ void few_pixels(benchmark::State& state, double pixels) {
   static_cast<void>(ms(one_star, "stars"));
   std::vector<double> moons;
   std::vector<double> stars;
+  std::vector<double> plans;
   for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(plan_frame(scene.sky, scene.view, {}, moon.options, &moon));
+    plans.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
     moons.push_back(ms(moon, "moon"));
     stars.push_back(ms(one_star, "stars"));
   }
   state.counters["moon_ms"] = middle_of(moons);
+  state.counters["plan_ms"] = middle_of(plans);
   state.counters["star_ms"] = middle_of(stars);
   state.counters["ratio"] = middle_of(moons) / middle_of(stars);
 }
@@ -111,6 +117,8 @@ void few_pixels(benchmark::State& state, double pixels) {
 BENCHMARK_CAPTURE(few_pixels, two, 2.0)->Iterations(60);
 BENCHMARK_CAPTURE(few_pixels, four, 4.0)->Iterations(60);
 BENCHMARK_CAPTURE(few_pixels, eight, 8.0)->Iterations(60);
+BENCHMARK_CAPTURE(few_pixels, fifteen, 15.0)->Iterations(60);
+BENCHMARK_CAPTURE(few_pixels, twenty, 20.0)->Iterations(60);
 
 } // namespace
 } // namespace vesper
