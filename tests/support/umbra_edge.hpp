@@ -1,10 +1,6 @@
 // Where the umbra ends to the eye.
 #pragma once
 
-#include "vesper/base/shader_math.hpp"
-
-#include <cmath>
-
 namespace vesper::test {
 
 /// The distance from the shadow's axis at which log Y falls most steeply, near that of an Earth without air, km.
