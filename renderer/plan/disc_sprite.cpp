@@ -53,7 +53,9 @@ public:
   }
 
 private:
-  static std::size_t index(int column, int row) { return static_cast<std::size_t>(3 * row + column); }
+  static std::size_t index(int column, int row) {
+    return 3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
+  }
 
   Mat3 axes_;
   const Refraction& refraction_;
@@ -87,11 +89,11 @@ double tent_below(double t) {
 /// Calls `with(pixel, share)` along one axis. A cell is spread as a tent over twice its size: whichever way cells are
 /// turned against the pixels, together they are even within a thousandth.
 template <class With> void for_pixels(double middle, double size, const With& with) {
-  const double first = std::floor(middle - size);
+  const int end = static_cast<int>(std::ceil(middle + size));
   double below = 0.0;
-  for (double pixel = first; pixel < middle + size; pixel += 1.0) {
-    const double to_its_end = tent_below((pixel + 1.0 - middle) / size);
-    with(static_cast<int>(pixel), to_its_end - below);
+  for (int pixel = static_cast<int>(std::floor(middle - size)); pixel < end; ++pixel) {
+    const double to_its_end = tent_below((pixel + 1 - middle) / size);
+    with(pixel, to_its_end - below);
     below = to_its_end;
   }
 }
