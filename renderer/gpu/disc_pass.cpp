@@ -11,7 +11,7 @@ namespace vesper::gpu {
 namespace {
 
 constexpr std::size_t most_boxes = 6;
-constexpr std::size_t most_sprite_bytes = largest_sprite_edge * largest_sprite_edge * sizeof(SpritePixel);
+constexpr std::size_t most_sprite_bytes = sizeof(SpritePixel) * largest_sprite_edge * largest_sprite_edge;
 static_assert(sizeof(SpritePixel) == 32 && offsetof(SpritePixel, cover) == 16);
 
 /// shaders/disc_block.glsl in std140.
