@@ -18,8 +18,9 @@ const DiscBrightness& discs_of(const ReportedScene& scene) {
   if (!scene.discs) {
     const SkyState& sky = scene.sky;
     const Spectrum sunlight = sunlight_of(sky);
+    const MoonIllumination moon = moon_illumination(sky);
     scene.discs = {v_magnitude(sunlight), integrate_xyzs(sunlight).y,
-                   moon_brightness(moonlight_of(sky), sky.moon.place.distance)};
+                   moon_brightness(moonlight_of(moon), sky.moon.place.distance), seen_danjon_of(sky, moon)};
   }
   return *scene.discs;
 }
@@ -37,14 +38,14 @@ constexpr std::array columns{
     SceneColumn{"moon_illuminance_lux", [](const ReportedScene& s) { return discs_of(s).moon.illuminance.y; }},
     SceneColumn{"moon_disc_luminance_cd_m2",
                 [](const ReportedScene& s) { return discs_of(s).moon.mean_luminance.to(candela_per_m2); }},
-    SceneColumn{"moon_danjon", [](const ReportedScene& s) { return seen_danjon_of(s.sky); }},
+    SceneColumn{"moon_danjon", [](const ReportedScene& s) { return discs_of(s).moon_danjon; }},
 };
 
 } // namespace
 
-double seen_danjon_of(const SkyState& sky) {
-  return sky.lunar_eclipse.umbral_magnitude < 1.0 ? std::numeric_limits<double>::quiet_NaN()
-                                                  : seen_danjon(dimming_v_mag(sunlight_on_moon(sky)));
+double seen_danjon_of(const SkyState& sky, const MoonIllumination& moon) {
+  return sky.lunar_eclipse.umbral_magnitude >= 1.0 && moon.past_earth ? seen_danjon(dimming_v_mag(*moon.past_earth))
+                                                                      : std::numeric_limits<double>::quiet_NaN();
 }
 
 std::span<const SceneColumn> body_columns() { return columns; }

@@ -14,6 +14,7 @@ namespace vesper {
 [[nodiscard]] std::span<const SceneColumn> body_columns();
 
 /// As the column moon_danjon.
-[[nodiscard]] double seen_danjon_of(const SkyState& sky);
+/// \param moon moon_illumination() of the sky
+[[nodiscard]] double seen_danjon_of(const SkyState& sky, const MoonIllumination& moon);
 
 } // namespace vesper

@@ -33,6 +33,7 @@ template <class Row> struct Column {
 struct LunarRow {
   LunarEclipse eclipse;
   SkyState greatest; ///< for the observer
+  MoonIllumination moon;
 };
 
 Value stamp(const std::optional<Instant>& instant) { return instant ? Value(to_iso8601(*instant)) : Value(); }
@@ -53,8 +54,8 @@ constexpr std::array lunar_columns{
     Column<LunarRow>{"P4", contact_of<LunarContact::p4>},
     Column<LunarRow>{"moon_altitude_deg",
                      [](const LunarRow& r) { return Value(r.greatest.moon.place.altitude.to(deg)); }},
-    Column<LunarRow>{"moon_magnitude", [](const LunarRow& r) { return Value(v_magnitude(moonlight_of(r.greatest))); }},
-    Column<LunarRow>{"moon_danjon", [](const LunarRow& r) { return Value(seen_danjon_of(r.greatest)); }},
+    Column<LunarRow>{"moon_magnitude", [](const LunarRow& r) { return Value(v_magnitude(moonlight_of(r.moon))); }},
+    Column<LunarRow>{"moon_danjon", [](const LunarRow& r) { return Value(seen_danjon_of(r.greatest, r.moon)); }},
 };
 
 struct SolarRow {
@@ -201,7 +202,8 @@ EclipseReport eclipse_report(const EclipseRequest& request, bool json) {
     std::vector<LunarRow> rows;
     for (LunarEclipse& eclipse : lunar_eclipses(request.from, request.to, request.shadow)) {
       SkyState greatest = sky_state_of(request.scene, eclipse.greatest, request.scene.observer);
-      rows.push_back({std::move(eclipse), std::move(greatest)});
+      MoonIllumination moon = moon_illumination(greatest);
+      rows.push_back({std::move(eclipse), std::move(greatest), std::move(moon)});
     }
     return table_of(rows, lunar_columns, json);
   }

@@ -19,6 +19,7 @@ struct DiscBrightness {
   double sun_magnitude = 0.0;
   double sun_illuminance_lux = 0.0;
   MoonBrightness moon;
+  double moon_danjon = 0.0;
 };
 
 /// What columns are made from, and what several of them share. For one thread.

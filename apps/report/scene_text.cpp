@@ -120,7 +120,7 @@ std::vector<std::pair<std::string_view, Horizontal>> figures_up(const SkyState& 
 }
 
 /// A line for an eclipse that is on.
-std::string eclipse_text(const SkyState& sky) {
+std::string eclipse_text(const SkyState& sky, const MoonIllumination& moon) {
   const LunarEclipseState& lunar = sky.lunar_eclipse;
   const SolarEclipseState& solar = sky.solar_eclipse;
   const auto down = [](const BodyPlace& place) {
@@ -132,7 +132,7 @@ std::string eclipse_text(const SkyState& sky) {
   }
   if (lunar.penumbral_magnitude > 0.0) {
     const bool umbral = lunar.umbral_magnitude > 0.0;
-    const double danjon = seen_danjon_of(sky);
+    const double danjon = seen_danjon_of(sky, moon);
     return fmt::format("Eclipse of the Moon: {} magnitude {:.3f}{}{}\n", umbral ? "umbral" : "penumbral",
                        umbral ? lunar.umbral_magnitude : lunar.penumbral_magnitude,
                        std::isnan(danjon) ? "" : fmt::format(", Danjon's L = {:.1f}", danjon), down(sky.moon.place));
@@ -213,6 +213,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
 std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
                        const DarkLight& dark) {
   const BodyPlace& moon = sky.moon.place;
+  const MoonIllumination moon_light = moon_illumination(sky);
   const Refraction refraction = with_table(sky.refraction);
   const Angle horizon = horizon_altitude(refraction, sky.observer.height);
   const bool waxing = std::sin((moon.right_ascension - sky.sun.right_ascension).to(rad)) > 0.0;
@@ -223,12 +224,15 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
     fmt::format_to(out, "        {}\n", remark);
   }
   fmt::format_to(out, "Place   {}\n", place_text(sky.observer));
-  fmt::format_to(out, "Sky     {}\n", sky_condition(sky.sun.altitude));
+  // In totality the sky is as in civil twilight, and the first stars come out.
+  const bool sun_hidden = sky.solar_eclipse.obscuration >= 1.0 && sky.sun.altitude > almanac_sunrise_altitude;
+  fmt::format_to(out, "Sky     {}\n",
+                 sun_hidden ? "dark in a total eclipse of the Sun" : sky_condition(sky.sun.altitude));
   fmt::format_to(out, "Sun     {}\n", where(sky.sun, refraction, horizon));
   fmt::format_to(out, "Moon    {}; {}, {:.0f} % lit, {:.2f} mag\n", where(moon, refraction, horizon),
                  moon_phase_name(sky.moon.illuminated_fraction, waxing), 100.0 * sky.moon.illuminated_fraction,
-                 v_magnitude(moonlight_of(sky)));
-  text += eclipse_text(sky);
+                 v_magnitude(moonlight_of(moon_light)));
+  text += eclipse_text(sky, moon_light);
   fmt::format_to(out, "        {}\n", face_text(sky.moon));
   const std::string of_sun_and_moon = light_text(light);
   text += of_sun_and_moon;
@@ -238,7 +242,7 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }
-  const bool hidden = sky.sun.altitude > civil_twilight_end;
+  const bool hidden = sky.sun.altitude > civil_twilight_end && !sun_hidden;
   fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
   for (const Up& up : stars_up(sky, catalogue)) {
     const Horizontal place = horizontal_of(up.direction);

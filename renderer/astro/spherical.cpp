@@ -30,4 +30,11 @@ Angle position_angle(const Vec3& from, const Vec3& to) {
   return whole_turn_atan2(east, north);
 }
 
+Mat3 horizon_from_disc(const Vec3& direction) {
+  const double across = std::hypot(direction.x, direction.y);
+  const Vec2 azimuth = across > 0.0 ? Vec2(direction.x, direction.y) / across : Vec2(0.0, 1.0);
+  return {Vec3(azimuth.y, -azimuth.x, 0.0), Vec3(-direction.z * azimuth.x, -direction.z * azimuth.y, across),
+          direction};
+}
+
 } // namespace vesper

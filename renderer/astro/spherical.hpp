@@ -24,4 +24,8 @@ namespace vesper {
 /// some finite angle where the two coincide or are opposite.
 [[nodiscard]] Angle position_angle(const Vec3& from, const Vec3& to);
 
+/// The axes of places on a disc around a direction of the horizon frame, along that frame's: columns, level, upward,
+/// and the direction itself.
+[[nodiscard]] Mat3 horizon_from_disc(const Vec3& direction);
+
 } // namespace vesper

@@ -11,6 +11,8 @@ namespace vesper::gpu {
 namespace {
 
 constexpr std::size_t most_boxes = 6;
+constexpr std::size_t most_sprite_bytes = sizeof(SpritePixel) * largest_sprite_edge * largest_sprite_edge;
+static_assert(sizeof(SpritePixel) == 32 && offsetof(SpritePixel, cover) == 16);
 
 /// shaders/disc_block.glsl in std140.
 struct DiscBlock {
@@ -58,17 +60,26 @@ f32::StarExtinctionFrame single(const f64::StarExtinctionFrame& frame) {
 } // namespace
 
 DiscPass::DiscPass(const ShaderLibrary& library, const std::string& fragment_stage)
-    : programs_(library, {"disc.vert", fragment_stage}), uniforms_(make_dynamic_buffer(sizeof(DiscBlock))),
-      no_vertices_(make_vertex_array()) {}
+    : programs_(library, {"disc.vert", fragment_stage}), sprite_programs_(library, {"disc.vert", "sprite.frag"}),
+      point_(library), uniforms_(make_dynamic_buffer(sizeof(DiscBlock))),
+      sprite_(make_dynamic_buffer(most_sprite_bytes)), no_vertices_(make_vertex_array()) {}
 
-void DiscPass::prepare(const PlannedDisc& disc, const View& view, const FramePlan& plan,
+void DiscPass::prepare(const PlannedDisc& disc, const SkyState& sky, const View& view, const FramePlan& plan,
                        const std::vector<std::string>& defines) {
+  is_point_ = disc.point.has_value();
+  if (is_point_) {
+    point_.place(*disc.point, sky, view, plan);
+    return;
+  }
   std::vector<std::string> all{fmt::format("PROJECTION {}", static_cast<int>(view.projection))};
   if (plan.cheap_stars) {
     all.emplace_back("CHEAP");
   }
   all.insert(all.end(), defines.begin(), defines.end());
-  program_ = &programs_.get(all);
+  program_ = disc.sprite ? &sprite_programs_.get({}) : &programs_.get(all);
+  if (disc.sprite) {
+    update_buffer(sprite_, std::as_bytes(std::span(disc.sprite->pixels)));
+  }
   refraction_.update(plan.refraction);
   extinction_.update(plan.sunlight_extinction);
 
@@ -93,9 +104,14 @@ void DiscPass::prepare(const PlannedDisc& disc, const View& view, const FramePla
 }
 
 void DiscPass::draw(const Strip& strip) {
+  if (is_point_) {
+    point_.draw(strip);
+    return;
+  }
   const std::array<float, 2> rows{static_cast<float>(strip.first_row), static_cast<float>(strip.rows)};
   glNamedBufferSubData(uniforms_.name(), offsetof(DiscBlock, strip), sizeof(rows), rows.data());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, sprite_.name());
   refraction_.bind(0);
   extinction_.bind(1);
   glEnable(GL_BLEND);

@@ -4,38 +4,45 @@
 #include "vesper/gpu/extinction_texture.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/point_pass.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/refraction_texture.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
+#include "vesper/sky/sky_state.hpp"
 
 #include <string>
 #include <vector>
 
 namespace vesper::gpu {
 
-/// Draws the pixels of a planned disc with a fragment stage that includes disc_stage.glsl. They hide what is drawn
-/// already as far as the stage says.
+/// Draws a planned disc: its pixels with a fragment stage that includes disc_stage.glsl, or the point or the sprite
+/// that it is. All but points hide what is drawn already.
 class DiscPass {
 public:
   /// The library must outlive the pass.
   DiscPass(const ShaderLibrary& library, const std::string& fragment_stage);
 
   /// \param defines of the fragment stage, beyond those that plan and view ask for
-  void prepare(const PlannedDisc& disc, const View& view, const FramePlan& plan,
+  void prepare(const PlannedDisc& disc, const SkyState& sky, const View& view, const FramePlan& plan,
                const std::vector<std::string>& defines = {});
 
-  /// Draws into the bound framebuffer, with the stage's own block and textures bound.
+  /// Draws into the bound framebuffer, with the stage's own block and textures bound where it is used: for a disc that
+  /// is neither point nor sprite.
   void draw(const Strip& strip);
 
 private:
   ProgramVariants programs_;
+  ProgramVariants sprite_programs_;
+  PointPass point_;
   Buffer uniforms_;
+  Buffer sprite_;
   RefractionTexture refraction_;
   ExtinctionTexture extinction_;
   VertexArray no_vertices_;
   const ProgramHandle* program_ = nullptr;
   int boxes_ = 0;
+  bool is_point_ = false;
 };
 
 } // namespace vesper::gpu

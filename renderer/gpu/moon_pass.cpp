@@ -58,7 +58,7 @@ MoonBlock block_of(const PlannedMoon& moon) {
   const auto law = [](const f64::LunarLaw& from) { return vector_of(Vec2(from.seeliger, from.lambert)); };
   MoonBlock block{};
   for (std::size_t column = 0; column < 3; ++column) {
-    block.fixed_from_disc.at(column) = vector_of(moon.fixed_from_disc[static_cast<int>(column)]);
+    block.fixed_from_disc.at(column) = vector_of(moon.disc.fixed_from_disc[static_cast<int>(column)]);
   }
   block.to_sun = vector_of(light.to_sun);
   block.to_earth = vector_of(light.to_earth);
@@ -116,13 +116,12 @@ Texture table_of(const LunarEclipseTable& eclipse) {
 } // namespace
 
 MoonPass::MoonPass(const ShaderLibrary& library)
-    : disc_(library, "moon.frag"), point_(library), uniforms_(make_dynamic_buffer(sizeof(MoonBlock))) {}
+    : disc_(library, "moon.frag"), uniforms_(make_dynamic_buffer(sizeof(MoonBlock))) {}
 
 void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan, MoonShading shading) {
   const PlannedMoon& moon = *plan.moon;
-  is_point_ = moon.picture.point.has_value();
-  if (is_point_) {
-    point_.place(*moon.picture.point, sky, view, plan);
+  if (moon.picture.point || moon.picture.sprite) {
+    disc_.prepare(moon.picture, sky, view, plan);
     return;
   }
   if (globe_ != moon.globe) {
@@ -136,16 +135,12 @@ void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& p
     defines.emplace_back("ECLIPSE");
     eclipse_ = table_of(moon.eclipse);
   }
-  disc_.prepare(moon.picture, view, plan, defines);
+  disc_.prepare(moon.picture, sky, view, plan, defines);
   const MoonBlock block = block_of(moon);
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 
 void MoonPass::draw(const Strip& strip) {
-  if (is_point_) {
-    point_.draw(strip);
-    return;
-  }
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
   glBindTextureUnit(2, map_.name());
   glBindTextureUnit(3, eclipse_.name());

@@ -4,7 +4,6 @@
 #include "vesper/gpu/disc_pass.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
-#include "vesper/gpu/point_pass.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/sky_state.hpp"
@@ -33,12 +32,10 @@ public:
 
 private:
   DiscPass disc_;
-  PointPass point_;
   Buffer uniforms_;
   Texture map_;
   Texture eclipse_;
   std::shared_ptr<const MoonGlobe> globe_;
-  bool is_point_ = false;
 };
 
 } // namespace vesper::gpu

@@ -22,25 +22,17 @@ static_assert(offsetof(SunBlock, moon) == sizeof(f32::SunShading) && sizeof(f32:
 } // namespace
 
 SunPass::SunPass(const ShaderLibrary& library)
-    : disc_(library, "sun.frag"), point_(library), uniforms_(make_dynamic_buffer(sizeof(SunBlock))) {}
+    : disc_(library, "sun.frag"), uniforms_(make_dynamic_buffer(sizeof(SunBlock))) {}
 
 void SunPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan) {
   const PlannedSun& sun = *plan.sun;
-  is_point_ = sun.picture.point.has_value();
-  if (is_point_) {
-    point_.place(*sun.picture.point, sky, view, plan);
-    return;
-  }
-  disc_.prepare(sun.picture, view, plan, sun.corona ? std::vector<std::string>{"CORONA"} : std::vector<std::string>{});
+  disc_.prepare(sun.picture, sky, view, plan,
+                sun.corona ? std::vector<std::string>{"CORONA"} : std::vector<std::string>{});
   const SunBlock block{in_single(sun.disc.shading), f32::vec4(sun.moon), f32::vec4(sun.turn)};
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 
 void SunPass::draw(const Strip& strip) {
-  if (is_point_) {
-    point_.draw(strip);
-    return;
-  }
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
   disc_.draw(strip);
 }

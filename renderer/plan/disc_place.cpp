@@ -161,13 +161,6 @@ std::vector<PixelBox> boxes_on_map(const Limb& limb, const f64::ProjectionFrame&
 
 } // namespace
 
-Mat3 horizon_from_disc(const Vec3& direction) {
-  const double across = std::hypot(direction.x, direction.y);
-  const Vec2 azimuth = across > 0.0 ? Vec2(direction.x, direction.y) / across : Vec2(0.0, 1.0);
-  return {Vec3(azimuth.y, -azimuth.x, 0.0), Vec3(-direction.z * azimuth.x, -direction.z * azimuth.y, across),
-          direction};
-}
-
 f64::DiscFrame disc_frame(const SkyCircle& circle, const View& view, const Refraction& refraction) {
   const Mat3 from_horizon = view_from_horizon(view);
   const Vec3 apparent = apparent_direction(circle.direction, refraction);

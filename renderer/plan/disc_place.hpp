@@ -2,6 +2,7 @@
 #pragma once
 
 #include "vesper/astro/refraction.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/units.hpp"
 #include "vesper/base/vector.hpp"
@@ -28,10 +29,6 @@ struct SkyCircle {
 
 /// The circle in the form of shaders/lib/disc.glsl.
 [[nodiscard]] f64::DiscFrame disc_frame(const SkyCircle& circle, const View& view, const Refraction& refraction);
-
-/// The axes of places on the disc (level, upward, to its centre) along the horizon frame's, without refraction:
-/// columns.
-[[nodiscard]] Mat3 horizon_from_disc(const Vec3& direction);
 
 /// Few boxes that hold all pixels that show some of the circle, and not many others: one, two where the picture wraps
 /// round, one for each face of a cube map. Empty where it is out of the picture.

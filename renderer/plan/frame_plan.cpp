@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <utility>
 
 namespace vesper {
@@ -87,12 +89,14 @@ Vec4 share_through_air(const FramePlan& plan, double sin_altitude, const Vec4& l
   return f64::modulate_xyzs(light, f64::extinction(plan.optical_depth, path)) / light;
 }
 
-void plan_discs(const SkyState& sky, const View& view, FramePlan& plan) {
+void plan_discs(const SkyState& sky, const View& view, const std::function<const MoonIllumination&()>& moon,
+                FramePlan& plan) {
   DiscScene scene{
       sky,
       view,
       plan.refraction,
       [&plan](double sin_altitude, const Vec4& light) { return share_through_air(plan, sin_altitude, light); },
+      moon,
       std::nullopt,
       !plan.lights.empty()};
   if (has(plan.options.layers, Layer::ground)) {
@@ -142,8 +146,15 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   if (options.air.refraction) {
     plan.refraction = with_table(sky.refraction);
   }
+  std::optional<MoonIllumination> moon;
+  const auto moonlit = [&sky, &moon]() -> const MoonIllumination& {
+    if (!moon) {
+      moon = moon_illumination(sky);
+    }
+    return *moon;
+  };
   if (has(options.layers, Layer::sky) && options.air.sky_tables != nullptr) {
-    const std::vector<SkyLight> lights = lights_of(sky, SunInEclipse::outside_the_shadow);
+    const std::vector<SkyLight> lights = lights_of(sky, SunInEclipse::outside_the_shadow, moonlight_of(moonlit()));
     plan.lights = planned_lights(lights, plan.refraction);
     plan.eclipse = eclipse_for(sky, lights, medium, before);
   }
@@ -152,7 +163,7 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,
                                 options.air.sky_tables, bending_of(sky, options.air), plan.horizon_sin_altitude,
                                 before != nullptr ? before->dark_sky.get() : nullptr);
-  plan_discs(sky, view, plan);
+  plan_discs(sky, view, moonlit, plan);
   return plan;
 }
 

@@ -37,27 +37,55 @@ PointLight point_of(const Vec3& direction, const Vec4& light, double flattening,
   return {seen, flattening * light * scene.air(seen.z, light)};
 }
 
-/// The direction in which the Moon's light has its centre.
-Vec3 centre_of_light(const PlannedMoon& moon, double scale) {
-  const f32::MoonLighting lighting = in_single(moon.disc.lighting);
-  const double distance = 1.0 / std::sin(moon.disc.angular_radius.to(rad));
-  const f32::vec3 observer(distance * moon.disc.to_observer);
-  Vec3 weighted(0.0);
-  double sum = 0.0;
-  for (const MoonSample& sample : moon.globe->samples) {
-    const f32::vec3 to_observer = glm::normalize(observer - sample.normal);
-    const float share = sample.solid_angle * glm::dot(sample.normal, to_observer);
-    if (share > 0.0F) {
-      const auto light = static_cast<double>(
-          share *
-          f32::moon_luminance(sample.albedo, sample.normal, sample.relief, to_observer, lighting, f32::vec4(1.0F)).y);
-      weighted += light * Vec3(sample.normal);
-      sum += light;
+/// The Moon as it is lit, eclipse included.
+DiscGrid grid_of(const PlannedMoon& moon) {
+  const double sine = std::sin(moon.disc.angular_radius.to(rad));
+  DiscGrid grid(moon_cells_of_edge);
+  auto lit = moon.disc.cells.begin();
+  for (DiscGrid::Cell& cell : grid.cells) {
+    const MoonCell& by = *lit++;
+    if (cell.inside > 0.0) {
+      const Vec3 normal = moon.disc.fixed_from_disc * f64::disc_normal(cell.place, sine);
+      const Vec4 past_earth = f64::lunar_eclipse_shares(moon.from_earth_km + moon_mean_radius.to(kilometre) * normal,
+                                                        moon.shadow, moon.eclipse.frame, moon.eclipse.sampler());
+      cell.light = cell.inside * (static_cast<double>(by.sun) * past_earth * moon.disc.lighting.sunlit +
+                                  static_cast<double>(by.earth) * moon.disc.lighting.earthlit);
+      cell.hides = cell.inside;
     }
   }
-  const Vec3 in_moon = glm::transpose(moon.disc.moon_fixed_from_horizon) * (weighted / std::max(sum, 1.0e-300));
-  return glm::normalize(distance * moon.disc.direction + scale * in_moon);
+  return grid;
 }
+
+/// The Sun's disc past the Moon.
+DiscGrid grid_of(const PlannedSun& sun, double drawn_sine) {
+  DiscGrid grid(moon_cells_of_edge);
+  const double width = 2.0 / grid.edge;
+  for (DiscGrid::Cell& cell : grid.cells) {
+    const double outside = glm::length(f64::disc_sight(cell.place, drawn_sine) - Vec3(sun.moon)) - sun.moon.w;
+    const double free = sun.moon.w > 0.0 ? std::clamp(0.5 + outside / (width * drawn_sine), 0.0, 1.0) : 1.0;
+    cell.hides = free * cell.inside;
+    if (cell.hides > 0.0) {
+      cell.light =
+          cell.hides * f64::sun_disc_luminance(f64::disc_inner(glm::length(cell.place), width), sun.disc.shading);
+    }
+  }
+  return grid;
+}
+
+/// A disc too narrow to be drawn for each pixel of its own.
+/// \param light of the whole disc above the air, lux
+void make_small(PlannedDisc& disc, const SkyCircle& circle, const DiscGrid& grid, const Vec4& light,
+                const DiscScene& scene) {
+  if (disc.width_px < narrowest_disc_px) {
+    const Vec2 across = circle.scale * std::sin(circle.radius.to(rad)) * grid.centre_of_light();
+    const Vec3 centre = horizon_from_disc(circle.direction) * Vec3(across, std::sqrt(1.0 - glm::dot(across, across)));
+    disc.point = point_of(centre, light, disc.frame.flattening, scene);
+    return;
+  }
+  disc.sprite = disc_sprite(circle, scene.view, scene.refraction, disc.boxes, grid, light, scene.air);
+}
+
+bool is_small(const PlannedDisc& disc) { return disc.width_px > 0.0 && disc.width_px < widest_sprite_px; }
 
 } // namespace
 
@@ -81,18 +109,15 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   if (boxes.empty()) {
     return std::nullopt;
   }
-  const MoonDisc disc = moon_disc(scene.sky, globe->samples, scene.sky.tier);
-  const Mat3 fixed_from_disc = disc.moon_fixed_from_horizon * horizon_from_disc(circle.direction);
+  const MoonIllumination& illumination = scene.moon_illumination();
   const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
   const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
-  PlannedMoon planned{
-      {},
-      disc,
-      fixed_from_disc,
-      globe,
-      lunar_eclipse_table(eclipse, moon_illumination(scene.sky).sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
-      earth_shadow(eclipse, fixed_from_icrs),
-      fixed_from_icrs * eclipse.moon_km};
+  PlannedMoon planned{{},
+                      moon_disc(scene.sky, globe->samples, illumination),
+                      globe,
+                      lunar_eclipse_table(eclipse, illumination.sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
+                      earth_shadow(eclipse, fixed_from_icrs),
+                      fixed_from_icrs * eclipse.moon_km};
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
   planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
@@ -102,10 +127,8 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
     lit_width = std::min(lit_width, 2.0 * (1.0 - eclipse.umbral_magnitude));
   }
   planned.picture.cells_of_radius = std::clamp(20.0 / std::max(lit_width, 1.0e-3), 12.0, 64.0);
-  const double width = planned.picture.width_px;
-  if (width > 0.0 && width < narrowest_disc_px) {
-    planned.picture.point = point_of(centre_of_light(planned, options.moon_scale), vector_of(planned.disc.illuminance),
-                                     planned.picture.frame.flattening, scene);
+  if (is_small(planned.picture)) {
+    make_small(planned.picture, circle, grid_of(planned), vector_of(planned.disc.illuminance), scene);
   }
   return planned;
 }
@@ -143,11 +166,10 @@ std::optional<PlannedSun> plan_sun(const DiscScene& scene, const DiscOptions& op
   if (moon.z > 0.0) {
     planned.moon = Vec4(moon, disc.shading.moon_chord * options.moon_scale);
   }
-  const double width = planned.picture.width_px;
-  if (!corona && width > 0.0 && width < narrowest_disc_px) {
+  if (!corona && is_small(planned.picture)) {
     const Vec4 light =
         vector_of(integrate_xyzs(filtered(disc.irradiance, sunlight_past_moon(scene.sky.solar_eclipse))));
-    planned.picture.point = point_of(disc.direction, light, planned.picture.frame.flattening, scene);
+    make_small(planned.picture, circle, grid_of(planned, options.sun_scale * planned.picture.frame.sine), light, scene);
   }
   return planned;
 }

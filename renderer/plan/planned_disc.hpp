@@ -5,6 +5,7 @@
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/vector.hpp"
 #include "vesper/plan/disc_place.hpp"
+#include "vesper/plan/disc_sprite.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_disc.hpp"
@@ -49,18 +50,20 @@ struct PointLight {
 struct PlannedDisc {
   f64::DiscFrame frame{};
   std::vector<PixelBox> boxes;
-  std::optional<PointLight> point; ///< in place of the boxes
-  double width_px = 0.0;           ///< as disc_diameter_px has it
-  double cells_of_radius = 20.0;   ///< into which a small disc's radius is cut for its light, at least
+  std::optional<PointLight> point;  ///< in place of the boxes
+  std::optional<DiscSprite> sprite; ///< fills the one box
+  double width_px = 0.0;            ///< as disc_diameter_px has it
+  double cells_of_radius = 20.0;    ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
 /// (smallest_psf_sigma in shaders/lib/star_psf.glsl).
 inline constexpr double narrowest_disc_px = 3.0;
+/// From there to here they are sprites, where the picture allows it.
+inline constexpr double widest_sprite_px = 16.0;
 
 struct PlannedMoon {
   PlannedDisc picture;
   MoonDisc disc;
-  Mat3 fixed_from_disc; ///< mean-Earth axes from those of horizon_from_disc
   std::shared_ptr<const MoonGlobe> globe;
   LunarEclipseTable eclipse;
   f64::EarthShadow shadow; ///< along mean-Earth axes
@@ -80,8 +83,9 @@ struct DiscScene {
   const SkyState& sky;
   const View& view;
   const Refraction& refraction; ///< with its table
-  /// Shares of X, Y, Z, S that come through the air, by sine of apparent altitude and light.
-  std::function<Vec4(double, const Vec4&)> air;
+  AirShares air;
+  /// moon_illumination() of the sky, found when it is first asked for.
+  std::function<const MoonIllumination&()> moon_illumination;
   std::optional<double> ground_sin_altitude; ///< below it nothing is seen
   bool bright_sky = false;                   ///< the light of the air is drawn
 };

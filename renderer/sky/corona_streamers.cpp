@@ -33,7 +33,7 @@ std::array<f64::vec4, f64::sun_streamers> corona_streamers(double activity, std:
     const auto chance = [&](std::uint32_t which) {
       return f64::hash_unit(f64::hash_pair(f64::hash_pair(seed, k), which));
     };
-    const double middle = k < on_a_side ? 0.0 : std::numbers::pi; // the equator, in sun_place's plane
+    const double middle = k < on_a_side ? 0.0 : std::numbers::pi; // the equator, in the plane of the disc's places
     const double spread = (10.0 + 80.0 * activity) * std::numbers::pi / 180.0;
     // Each in its part of the range, so that they do not crowd.
     const double angle = middle + spread * (2.0 * (k % on_a_side + chance(0)) / on_a_side - 1.0);

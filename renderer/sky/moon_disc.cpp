@@ -1,11 +1,13 @@
 #include "vesper/sky/moon_disc.hpp"
 
 #include "vesper/astro/constants.hpp"
+#include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
 #include "vesper/light/sunlight.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -46,10 +48,8 @@ double gain_of(double wanted, double drawn) {
 
 } // namespace
 
-MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
-  const bool cheap = tier == Tier::cheap;
-  const LunarSurface surface = cheap ? LunarSurface::cheap : LunarSurface::standard;
-  MoonIllumination moon = moon_illumination(sky, cheap ? EarthPhaseLaw::polynomial : EarthPhaseLaw::measured);
+MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumination moon) {
+  const LunarSurface surface = sky.tier == Tier::cheap ? LunarSurface::cheap : LunarSurface::standard;
   const Length distance = sky.moon.place.distance;
   const Angle radius = std::asin(moon_mean_radius / distance) * rad;
   const Vec3 to_observer = direction_of(sky.moon.libration);
@@ -64,30 +64,44 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, Tier tier) {
   lighting.earth_law = lunar_law(moon.earthlight_phase, surface);
   lighting.sun_radius_rad = std::asin(sun_radius / moon.sun_distance);
 
-  const MoonLightSums sums = sum_moon_light(samples, distance / moon_mean_radius * to_observer, lighting);
+  const Vec3& direction = sky.moon.place.direction_horizon;
+  const Mat3 fixed_from_horizon = axes_from_horizon(sky, to_observer);
+  const Mat3 fixed_from_disc = fixed_from_horizon * horizon_from_disc(direction);
+  MoonLightSums sums = sum_moon_light(samples, distance / moon_mean_radius * to_observer, lighting, fixed_from_disc);
   const double sun_wanted = integrate_xyzs(moon.sunlit_moon).y;
   const double sun_drawn = sums.sun * lighting.sunlit.y;
   const double earth_wanted = integrate_xyzs(moon.earthlit_moon).y;
   const double earth_drawn = sums.earth * lighting.earthlit.y;
   const double sun_gain = gain_of(sun_wanted, sun_drawn);
   lighting.sun_law = scaled_law(lighting.sun_law, sun_gain);
-  lighting.earth_law = scaled_law(lighting.earth_law, gain_of(earth_wanted, earth_drawn));
+  const double earth_gain = gain_of(earth_wanted, earth_drawn);
+  lighting.earth_law = scaled_law(lighting.earth_law, earth_gain);
+  for (MoonCell& cell : sums.cells) {
+    cell.sun *= static_cast<float>(sun_gain);
+    cell.earth *= static_cast<float>(earth_gain);
+  }
   if (sun_gain == largest_gain) {
     moon.sunlit_moon = scaled(moon.sunlit_moon, sun_gain * sun_drawn / sun_wanted);
   }
 
-  const Spectrum irradiance = moonlight_of(sky, moon);
+  const Spectrum irradiance = moonlight_of(moon);
   const MoonBrightness brightness = moon_brightness(irradiance, distance);
-  return {sky.moon.place.direction_horizon,
+  return {direction,
           distance,
           radius,
-          axes_from_horizon(sky, to_observer),
+          fixed_from_horizon,
+          fixed_from_disc,
           to_observer,
           lighting,
+          std::move(sums.cells),
           irradiance,
           brightness.illuminance,
           brightness.v_magnitude,
           brightness.mean_luminance};
+}
+
+MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples) {
+  return moon_disc(sky, samples, moon_illumination(sky));
 }
 
 } // namespace vesper

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vesper {
@@ -38,7 +39,8 @@ std::vector<MoonPlace> sunlit_face(const SkyState& sky) {
 
 } // namespace
 
-MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
+MoonIllumination moon_illumination(const SkyState& sky) {
+  const EarthPhaseLaw law = sky.tier == Tier::cheap ? EarthPhaseLaw::polynomial : EarthPhaseLaw::measured;
   const LunarEclipseState& shadow = sky.lunar_eclipse; // has both bodies from the Earth's centre
   const Vec3 sun_km = -shadow.sun_distance.to(kilometre) * shadow.axis;
   const Length sun_distance = glm::length(sun_km - shadow.moon_km) * kilometre;
@@ -48,6 +50,10 @@ MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
       earthlight_phase(angle_between(direction_of(sky.moon.libration), direction_of(sky.moon.geocentric_libration)),
                        std::asin(earth_mean_radius / earth_distance) * rad);
   const Length distance = sky.moon.place.distance;
+  std::optional<Spectrum> past_earth;
+  if (shadow.penumbral_magnitude > 0.0) {
+    past_earth = sunlight_on_moon(shadow, sunlit_face(sky), sky.eclipse_air, sky.tier);
+  }
   return {sun_distance,
           earth_distance,
           earth_phase,
@@ -55,25 +61,22 @@ MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law) {
           earth_irradiance(earth_phase, earth_distance, shadow.sun_distance, law),
           moon_irradiance(sky.moon.phase_angle, distance, sun_distance),
           filtered(moon_irradiance(phase_of_earthlight, distance, shadow.sun_distance),
-                   earthlight_share(earth_phase, earth_distance, law))};
+                   earthlight_share(earth_phase, earth_distance, law)),
+          std::move(past_earth)};
 }
 
-Spectrum sunlight_on_moon(const SkyState& sky) {
-  return sunlight_on_moon(sky.lunar_eclipse, sunlit_face(sky), sky.eclipse_air, sky.tier);
-}
-
-Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination) {
+Spectrum moonlight_of(const MoonIllumination& illumination) {
   const Spectrum& sunlit = illumination.sunlit_moon;
-  const bool eclipsed = sky.lunar_eclipse.penumbral_magnitude > 0.0;
-  return added(eclipsed ? filtered(sunlit, sunlight_on_moon(sky)) : sunlit, illumination.earthlit_moon);
+  return added(illumination.past_earth ? filtered(sunlit, *illumination.past_earth) : sunlit,
+               illumination.earthlit_moon);
 }
+
+Spectrum moonlight_of(const SkyState& sky) { return moonlight_of(moon_illumination(sky)); }
 
 MoonBrightness moon_brightness(const Spectrum& irradiance, Length distance) {
   const Xyzs illuminance = integrate_xyzs(irradiance);
   const double solid_angle_sr = std::numbers::pi * std::pow(moon_mean_radius / distance, 2);
   return {illuminance, v_magnitude(irradiance), illuminance.y / solid_angle_sr * candela_per_m2};
 }
-
-Spectrum moonlight_of(const SkyState& sky) { return moonlight_of(sky, moon_illumination(sky)); }
 
 } // namespace vesper

@@ -7,6 +7,8 @@
 #include "vesper/light/spectrum.hpp"
 #include "vesper/sky/sky_state.hpp"
 
+#include <optional>
+
 namespace vesper {
 
 struct MoonIllumination {
@@ -17,19 +19,18 @@ struct MoonIllumination {
   Spectrum earthlight;    ///< on the Moon, W/(m2 nm)
   Spectrum sunlit_moon;   ///< what the observer gets of the Sun's light from the Moon, no eclipse, W/(m2 nm)
   Spectrum earthlit_moon; ///< what the observer gets of the Earth's light from the Moon, W/(m2 nm)
+  /// What the Earth's shadow leaves of the sunlight, by wavelength, averaged over what the observer sees of the
+  /// built-in map's Moon (eclipse_light.hpp). None outside an eclipse, which leaves all.
+  std::optional<Spectrum> past_earth;
 };
 
-/// Of the observer's own phase angle and distance.
-[[nodiscard]] MoonIllumination moon_illumination(const SkyState& sky, EarthPhaseLaw law = EarthPhaseLaw::measured);
+/// Of the observer's own phase angle and distance. The sky's tier says by which law the Earth shines.
+[[nodiscard]] MoonIllumination moon_illumination(const SkyState& sky);
 
-/// What the Earth's shadow leaves of the sunlight, by wavelength, averaged over what the observer sees of the built-in
-/// map's Moon (eclipse_light.hpp). 1 outside an eclipse.
-[[nodiscard]] Spectrum sunlight_on_moon(const SkyState& sky);
-
-/// Spectral irradiance of the whole Moon at the observer above the air, W/(m2 nm): sunlight, dimmed in an eclipse
-/// (eclipse_light.hpp), and earthlight. The one number that disc, air and ground are lit by.
+/// Spectral irradiance of the whole Moon at the observer above the air, W/(m2 nm): sunlight, dimmed in an eclipse, and
+/// earthlight. The one number that disc, air and ground are lit by.
+[[nodiscard]] Spectrum moonlight_of(const MoonIllumination& illumination);
 [[nodiscard]] Spectrum moonlight_of(const SkyState& sky);
-[[nodiscard]] Spectrum moonlight_of(const SkyState& sky, const MoonIllumination& illumination);
 
 struct MoonBrightness {
   Xyzs illuminance;         ///< of the whole disc above the air, lux

@@ -82,17 +82,40 @@ MoonSamples sample_moon(const MoonMap& map, int places) {
   return samples;
 }
 
-MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting) {
+MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,
+                             const Mat3& fixed_from_disc) {
+  constexpr std::size_t edge = moon_cells_of_edge;
   const f32::MoonLighting light = in_single(lighting);
+  // A line of sight along the axes of the disc, in cells from its lower left corner.
+  const auto cells_of_sine = static_cast<float>(0.5 * edge * glm::length(observer));
+  const f32::vec3 right = cells_of_sine * f32::vec3(fixed_from_disc[0]);
+  const f32::vec3 upward = cells_of_sine * f32::vec3(fixed_from_disc[1]);
+  const auto cell_at = [](float place) {
+    return static_cast<std::size_t>(std::clamp(place + 0.5F * edge, 0.0F, edge - 1.0F));
+  };
   MoonLightSums sums;
+  sums.cells.resize(edge * edge);
+  std::vector<float> seen(edge * edge, 0.0F);
   for_seen(samples, observer, [&](const MoonSample& sample, const f32::vec3& to_observer, float solid_angle) {
     const float weight = solid_angle * sample.albedo;
-    sums.earth += static_cast<double>(
+    const float sun = weight * sunlit_reflectance(sample, to_observer, light);
+    const float earth =
         weight * f32::lunar_relief_reflectance(sample.normal, sample.relief, to_observer, light.to_earth,
-                                               f32::earth_radius_from_moon_rad, light.earth_law));
-    sums.sun += static_cast<double>(weight * sunlit_reflectance(sample, to_observer, light));
+                                               f32::earth_radius_from_moon_rad, light.earth_law);
+    sums.sun += static_cast<double>(sun);
+    sums.earth += static_cast<double>(earth);
+    const std::size_t cell = cell_at(-glm::dot(to_observer, upward)) * edge + cell_at(-glm::dot(to_observer, right));
+    seen[cell] += solid_angle;
+    sums.cells[cell].sun += sun;
+    sums.cells[cell].earth += earth;
   });
-  return {sums.sun / std::numbers::pi, sums.earth / std::numbers::pi};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const float mean = seen[i] > 0.0F ? 1.0F / (std::numbers::pi_v<float> * seen[i]) : 0.0F;
+    sums.cells[i] = {mean * sums.cells[i].sun, mean * sums.cells[i].earth};
+  }
+  sums.sun /= std::numbers::pi;
+  sums.earth /= std::numbers::pi;
+  return sums;
 }
 
 Vec4 sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,

@@ -25,14 +25,24 @@ using MoonSamples = std::vector<MoonSample>;
 /// Throws Error(argument) unless the map has six square faces and there is a place.
 [[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int places = 16384);
 
-/// Illuminances, per lux on a plane at the Moon that faces the light, that a disc gives an observer.
+/// One of the equal squares of a grid about the disc: the mean over its samples, per lux as below.
+struct MoonCell {
+  float sun = 0.0F; ///< luminance
+  float earth = 0.0F;
+};
+inline constexpr int moon_cells_of_edge = 64;
+
+/// What a disc gives an observer per lux on a plane at the Moon that faces the light.
 struct MoonLightSums {
-  double sun = 0.0;
+  double sun = 0.0; ///< illuminance
   double earth = 0.0;
+  /// Rows upward, for pictures of few pixels. Cells beyond the limb, and without a sample, are black.
+  std::vector<MoonCell> cells;
 };
 /// \param observer from the Moon's centre, in its radii and its axes; outside the sphere
+/// \param fixed_from_disc to the Moon's axes from those of the grid: right, upward, from the observer to the centre
 [[nodiscard]] MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer,
-                                           const f64::MoonLighting& lighting);
+                                           const f64::MoonLighting& lighting, const Mat3& fixed_from_disc);
 
 /// The same as X, Y, Z, S in lux with shares of sunlight that differ from place to place.
 /// \param eclipse_xyzs of a place on the unit sphere, in the Moon's axes

@@ -43,17 +43,21 @@ Spectrum sunlight_of(const SkyState& sky) {
   return sky.solar_eclipse.magnitude > 0.0 ? filtered(whole, sunlight_past_moon(sky.solar_eclipse)) : whole;
 }
 
-std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun, const Spectrum& moonlight) {
   const BodyPlace& moon = sky.moon.place;
   std::vector<SkyLight> lights{
       sun_light(sky.sun.direction_horizon, sky.sun.distance),
-      {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight_of(sky)}};
+      {"moon", moon.direction_horizon, angular_radius(moon_mean_radius, moon.distance), moonlight}};
   if (sun == SunInEclipse::as_observed) {
     lights[0].irradiance = sunlight_of(sky);
   }
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;
+}
+
+std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
+  return lights_of(sky, sun, moonlight_of(sky));
 }
 
 Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }

@@ -33,6 +33,8 @@ struct SkyLight {
 /// Eclipses dim them (eclipse_light.hpp): the Sun as it is seen by the observer, or as it shines on air far away from
 /// the Moon's shadow, for a sky that is dimmed place by place (EclipsedSky).
 enum class SunInEclipse { as_observed, outside_the_shadow };
+/// \param moonlight moonlight_of() the scene, where it is known
+[[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun, const Spectrum& moonlight);
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun = SunInEclipse::as_observed);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.

@@ -62,22 +62,3 @@ FN vec2 earth_shadow_radii_km(Real along_km, EarthShadow shadow) {
               (shadow.edge_radius_km + along_km * sine_penumbra) *
                   inversesqrt(Real(1.0) - sine_penumbra * sine_penumbra));
 }
-
-// The discs that a point outside the Earth sees (km, from the Earth's centre): angular radii of Sun and Earth, and the
-// angle between their centres, in x, y, z.
-FN vec3 earth_shadow_discs(vec3 point_km, EarthShadow shadow) {
-  vec2 place = earth_shadow_place(point_km, shadow);
-  Real to_sun = shadow.sun_distance_km + place.y;
-  // Both centres lie in the plane through the axis: the angle between them from their offsets along and across it.
-  Real separation =
-      atan(place.x * shadow.sun_distance_km, place.y * to_sun + place.x * place.x);
-  Real sun = asin(min(shadow.sun_radius_km / sqrt(to_sun * to_sun + place.x * place.x), Real(1.0)));
-  Real earth = asin(min(shadow.edge_radius_km / length(point_km), Real(1.0)));
-  return vec3(sun, earth, separation);
-}
-
-// Share, 0 to 1, of the Sun's disc that is seen past the Earth from such a point.
-FN Real earth_shadow_sunlight(vec3 point_km, EarthShadow shadow) {
-  vec3 discs = earth_shadow_discs(point_km, shadow);
-  return Real(1.0) - disc_covered(discs.x, discs.y, discs.z);
-}

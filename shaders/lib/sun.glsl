@@ -21,16 +21,6 @@ struct SunShading {
   vec4 streamers[sun_streamers]; // x, y: direction times sharpness; z: height at its foot; w: mean around the Sun
 };
 
-// Where a direction lies in the picture, for directions less than a right angle from the Sun.
-FN vec2 sun_place(vec3 direction, SunShading sun) {
-  return vec2(dot(direction, sun.aside), dot(direction, sun.upward)) / sun.sin_radius;
-}
-
-// Angle, rad, by which a direction near the Moon lies outside of its limb; negative before the Moon.
-FN Real outside_moon_rad(vec3 direction, SunShading sun) {
-  return length(direction - sun.moon_direction) - sun.moon_chord;
-}
-
 // Luminance of the disc at 0 <= r <= 1 from its centre.
 FN vec4 sun_disc_luminance(Real r, SunShading sun) {
   Real mu = sqrt(max((Real(1.0) - r) * (Real(1.0) + r), Real(0.0)));
@@ -83,14 +73,4 @@ FN vec4 corona_luminance(vec2 place, SunShading sun) {
     return vec4(Real(0.0));
   }
   return k_corona(r) * streamer_pattern(place, r, sun) * sun.k_corona + f_corona(r) * sun.f_corona;
-}
-
-// Disc and corona, with the Moon before them, in a direction (unit vector).
-FN vec4 sun_luminance(vec3 direction, SunShading sun) {
-  if (dot(direction, sun.direction) <= Real(0.0) || outside_moon_rad(direction, sun) < Real(0.0)) {
-    return vec4(Real(0.0));
-  }
-  vec2 place = sun_place(direction, sun);
-  Real r = length(place);
-  return r <= Real(1.0) ? sun_disc_luminance(r, sun) : corona_luminance(place, sun);
 }

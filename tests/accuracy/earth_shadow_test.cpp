@@ -1,5 +1,6 @@
 // The light in the Earth's shadow against conservation of energy, finer quadrature and published calculations.
 #include "support/truth.hpp"
+#include "support/umbra_edge.hpp"
 
 #include "vesper/astro/constants.hpp"
 #include "vesper/atmosphere/earth_shadow_light.hpp"
@@ -107,15 +108,7 @@ TEST(EarthShadow, HasItsEdgeWhereObserversSeeIt) {
       const LunarEclipseTable table = table_of(danjon, along);
       const double airless = airless_radii_km(along).x;
       const auto log_y = [&](double off) { return std::log10(shares(table, off, along).y); };
-      double steepest = 0.0;
-      double edge = 0.0;
-      for (double off = 0.97 * airless; off < 1.06 * airless; off += 1.0) {
-        const double slope = log_y(off + 8.0) - log_y(off - 8.0);
-        if (slope > steepest) {
-          steepest = slope;
-          edge = off;
-        }
-      }
+      const double edge = test::umbra_edge_km(airless, log_y);
       std::printf("L = %.0f, Moon at %.0f km: edge of the umbra %.2f %% outside the airless one\n", danjon, along,
                   100.0 * (edge / airless - 1.0));
       EXPECT_GT(edge, 1.010 * airless);
@@ -138,6 +131,8 @@ TEST(EarthShadow, IsFullLightAtThePenumbrasEdge) {
 }
 
 TEST(EarthShadow, IsReddestInTheMiddleAndBlueAtItsRim) {
+  // Not for L = 0: there the red light that the lower air bends meets clouds, and what is left has been scattered by
+  // dust high up, without colour. Danjon calls such eclipses grey, where the Moon shows at all.
   for (const double danjon : {1.0, 2.0, 2.5, 3.0, 4.0}) {
     const LunarEclipseTable table = table_of(danjon);
     const auto blueness = [&](double off) { return shares(table, off).z / shares(table, off).x; };

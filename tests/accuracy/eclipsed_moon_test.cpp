@@ -1,5 +1,6 @@
 // The eclipsed Moon against reference contacts and measured magnitudes.
 #include "support/truth.hpp"
+#include "support/umbra_edge.hpp"
 
 #include "vesper/astro/constants.hpp"
 #include "vesper/light/moonlight.hpp"
@@ -30,16 +31,7 @@ double edge_km(const LunarEclipseState& state, const LunarEclipseTable& table) {
         f64::lunar_eclipse_shares(along * state.axis + off * aside, shadow, table.frame, table.sampler()).y);
   };
   const double airless = f64::earth_shadow_radii_km(along, f64::shadow_with_edge(shadow, f64::earth_radius_km)).x;
-  double steepest = 0.0;
-  double edge = 0.0;
-  for (double off = 0.98 * airless; off < 1.05 * airless; off += 2.0) {
-    const double slope = log_y(off + 10.0) - log_y(off - 10.0);
-    if (slope > steepest) {
-      steepest = slope;
-      edge = off;
-    }
-  }
-  return edge;
+  return test::umbra_edge_km(airless, log_y);
 }
 double off_axis_km(const LunarEclipseState& state) {
   return glm::length(state.moon_km - glm::dot(state.moon_km, state.axis) * state.axis);

@@ -1,4 +1,5 @@
 // The Sun's disc and corona against published figures and integrals.
+#include "support/sun_seen.hpp"
 #include "support/truth.hpp"
 
 #include "vesper/base/gauss_legendre.hpp"
@@ -181,8 +182,9 @@ TEST(SunDisc, AddsUpToTheIrradiance) {
           std::cos(angle) * sun.direction + std::sin(angle) * (0.6 * sun.shading.aside + 0.8 * sun.shading.upward);
       const double width = 2.0 * node.place * node.weight * radius;
       const double area = 2.0 * pi * std::sin(angle) * std::cos(angle) * width;
-      sum += area * f64::sun_luminance(toward, sun.shading);
-      single_sum += area * f64::vec4(f32::sun_luminance(f32::vec3(toward), single));
+      sum += area * test::sun_seen(toward, sun.shading);
+      const auto r = static_cast<float>(std::sin(angle) / sun.shading.sin_radius);
+      single_sum += area * f64::vec4(f32::sun_disc_luminance(r, single));
       mean_y += area;
     }
     ErrorSum errors;
@@ -300,7 +302,7 @@ f64::vec4 rendered(const f64::SunShading& sun, const std::vector<double>& edges)
         const Vec3 toward =
             cosine * sun.direction + sine * (std::cos(angle) * sun.aside + std::sin(angle) * sun.upward);
         // Solid angle times the cosine: area in the orthographic picture.
-        sum += 2.0 * pi / azimuths * r * step * sun.sin_radius * sun.sin_radius * f64::sun_luminance(toward, sun);
+        sum += 2.0 * pi / azimuths * r * step * sun.sin_radius * sun.sin_radius * test::sun_seen(toward, sun);
       }
     }
   }

@@ -150,13 +150,14 @@ TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
     for (const double phase : phases()) {
       SCOPED_TRACE(phase);
       SkyState sky = some_sky();
+      sky.tier = tier;
       // Put the Sun into the Moon's sky where the phase angle has it, and the Earth's centre under the observer.
       sky.moon.phase_angle = phase * deg;
       sky.moon.libration = sky.moon.geocentric_libration = {0.0 * deg, 0.0 * deg};
       sky.moon.subsolar = {phase * deg, 0.0 * deg};
       sky.lunar_eclipse.penumbral_magnitude = -1.0;
       sky.lunar_eclipse.axis = glm::normalize(sky.lunar_eclipse.moon_km) * (phase < 90.0 ? 1.0 : -1.0);
-      const MoonDisc disc = moon_disc(sky, samples, tier);
+      const MoonDisc disc = moon_disc(sky, samples);
       for (const double value : {disc.illuminance.x, disc.illuminance.y, disc.illuminance.z, disc.illuminance.s,
                                  disc.mean_luminance.to(candela_per_m2)}) {
         ASSERT_TRUE(std::isfinite(value) && value >= 0.0 && value < 1.0e4) << value;

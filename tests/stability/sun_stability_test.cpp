@@ -64,7 +64,7 @@ TEST(SunStability, SinglePrecisionIsThatOfTheReference) {
     const f32::SunShading single = in_single(sun.shading);
     const double mean = 1.96e9;
     ErrorSum disc;
-    ErrorSum limb;
+    ErrorSum corona;
     for (double mu = 1.0; mu > 1.0e-6; mu *= 0.9) {
       const auto r = static_cast<float>(std::sqrt(1.0 - mu * mu));
       const f64::vec4 reference = f64::sun_disc_luminance(static_cast<double>(r), sun.shading);
@@ -77,16 +77,13 @@ TEST(SunStability, SinglePrecisionIsThatOfTheReference) {
     }
     disc.hold("disc in single precision", 1.0e-5, "of the mean");
 
-    // By directions: a float's rounding of them moves the limb by 1e-5 of the radius.
-    for (const double r : {0.0, 0.3, 0.9, 0.99, 1.001, 1.5, 3.0, 20.0, 59.0}) {
-      const double sine = r * sun.shading.sin_radius;
-      const Vec3 toward =
-          std::sqrt(1.0 - sine * sine) * sun.direction + sine * (0.28 * sun.shading.aside - 0.96 * sun.shading.upward);
-      const double reference = f64::sun_luminance(toward, sun.shading).y;
-      const auto found = static_cast<double>(f32::sun_luminance(f32::vec3(toward), single).y);
-      limb.add(found / reference - 1.0);
+    for (const double r : {1.001, 1.5, 3.0, 20.0, 59.0}) {
+      const Vec2 place(0.28 * r, -0.96 * r);
+      corona.add(static_cast<double>(f32::corona_luminance(f32::vec2(place), single).y) /
+                     f64::corona_luminance(place, sun.shading).y -
+                 1.0);
     }
-    limb.hold("disc and corona in single precision, by directions", 1.0e-3, "");
+    corona.hold("corona in single precision", 1.0e-4, "");
   }
 }
 
@@ -103,12 +100,6 @@ TEST(SunStability, CoronaEndsAndNeverExplodes) {
   EXPECT_NEAR(f64::k_corona(1.0) + f64::f_corona(1.0), 0.0532 + 1.425 + 2.565, 1e-12);
   for (const float r : {0.0F, 0.999F, 60.1F, 1.0e10F, 1.0e38F}) {
     EXPECT_EQ(f32::corona_luminance({0.0F, r}, single).y, 0.0F) << r;
-  }
-  // Nothing behind one's back, square to it, or where the picture's plane repeats.
-  for (const Vec3& toward : {-sun.direction, sun.shading.aside, -sun.shading.upward,
-                             glm::normalize(-sun.direction + 0.001 * sun.shading.aside)}) {
-    EXPECT_EQ(f64::sun_luminance(toward, sun.shading).y, 0.0);
-    EXPECT_EQ(f32::sun_luminance(f32::vec3(toward), single).y, 0.0F);
   }
 }
 

@@ -53,6 +53,19 @@ TEST(ReportText, ALowSunHasAnApparentAltitude) {
   EXPECT_EQ(sun_line().find("apparent"), std::string::npos);
 }
 
+TEST(ReportText, ItIsNotDayInTotality) {
+  const Observer burgos{42.34 * deg, -3.70 * deg, 860.0 * metre};
+  const auto text_at = [&](const char* stamp) {
+    return scene_text(sky_state(parse_instant(stamp), burgos), default_star_catalogue(), {}, {});
+  };
+  const std::string totality = text_at("2026-08-12T18:29:30Z");
+  EXPECT_NE(totality.find("Sky     dark in a total eclipse of the Sun"), std::string::npos) << totality;
+  EXPECT_EQ(totality.find("hidden by daylight"), std::string::npos);
+  const std::string before = text_at("2026-08-12T18:00:00Z");
+  EXPECT_NE(before.find("Sky     day"), std::string::npos);
+  EXPECT_NE(before.find("hidden by daylight"), std::string::npos);
+}
+
 TEST(ReportText, MoonPhasesHaveTheirNames) {
   EXPECT_EQ(moon_phase_name(0.01, true), "new Moon");
   EXPECT_EQ(moon_phase_name(0.3, true), "waxing crescent");
