@@ -17,8 +17,6 @@ void main() {
     return;
   }
   vec3 color = plain_exposure(imageLoad(frame, at).xyz, white_cd_m2);
-  for (int channel = 0; channel < 3; ++channel) {
-    color[channel] = dithered(color[channel], uint(at.x), uint(first_row + at.y), uint(channel), steps);
-  }
+  color = dithered(color, uint(at.x), uint(first_row + at.y), 0u, steps);
   imageStore(pixels, at, vec4(color, 1.0));
 }
