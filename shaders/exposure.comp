@@ -5,11 +5,10 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0, rgba32f) uniform readonly image2D frame;
-layout(binding = 1, rgba8) uniform writeonly image2D pixels;
+layout(binding = 1) uniform writeonly image2D pixels;
 layout(location = 0) uniform float white_cd_m2;
 layout(location = 1) uniform int first_row; // of the picture, in this strip
-
-const float steps = 255.0; // of the pixels
+layout(location = 2) uniform float steps;   // of the pixels, from black to white
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
