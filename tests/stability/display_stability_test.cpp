@@ -4,6 +4,7 @@
 
 #include "support/expect_error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -34,7 +35,7 @@ std::vector<Display> displays() {
         display.transfer = transfer;
         display.primaries = primaries;
         display.peak = peak * candela_per_m2;
-        display.black = 0.5 * peak * candela_per_m2;
+        display.black = std::min(0.5 * peak, display_black_range_cd_m2.highest) * candela_per_m2;
         display.ambient = (peak == 1.0 ? 1000.0 : 0.0) * candela_per_m2;
         display.dome_reflectance = peak == 200.0 ? 0.98 : 0.0;
         all.push_back(display);
