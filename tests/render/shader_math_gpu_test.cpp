@@ -341,13 +341,23 @@ std::vector<FunctionCase> function_cases() {
        {0.01F, 3.0e-4F, 1, 0},
        8,
        2.0e-4F},
-      {"display_codes",
-       display_glsl("display_codes(v.xyz, display, 20.0)"),
+      {"display_signal",
+       display_glsl("display_signal(v.xyz, display, 20.0)"),
        [](const glm::vec4& v) {
-         return glm::vec4(f32::display_codes(glm::vec3(v), test_display(static_cast<int>(v.w)), 20.0F), 0);
+         return glm::vec4(f32::display_signal(glm::vec3(v), test_display(static_cast<int>(v.w)), 20.0F), 0);
        },
-       {0, 0, 0, 0},
+       {-20, 0, -20, 0},
        {300, 300, 300, 2},
+       9,
+       1.0e-3F}, // of a thousandth: components at the gamut's border are differences
+      {"display_codes",
+       display_glsl("display_codes(inverse(display.rgb_from_xyz) * v.xyz, display, 20.0)"),
+       [](const glm::vec4& v) {
+         const f32::DisplayModel display = test_display(static_cast<int>(v.w));
+         return glm::vec4(f32::display_codes(glm::inverse(display.rgb_from_xyz) * glm::vec3(v), display, 20.0F), 0);
+       },
+       {5, 5, 5, 0},
+       {200, 200, 200, 2},
        9,
        1.0e-4F},
       {"display_light",
