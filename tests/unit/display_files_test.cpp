@@ -155,7 +155,7 @@ TEST_F(DisplayFiles, TheCurveOfAProfileIsItsTransfer) {
   ASSERT_EQ(pq.number(table + 8, 4), 4096U);
   const auto entry = static_cast<std::size_t>(std::lround(f64::pq_encode(500.0) * 4095.0));
   EXPECT_NEAR(pq.number(table + 12 + 2 * entry, 2) / 65535.0, 0.5, 2.0e-3);
-  EXPECT_EQ(pq.number(table + 12 + 2 * 4095, 2), 65535U);
+  EXPECT_EQ(pq.number(table + 12 + std::size_t{2} * 4095, 2), 65535U);
 }
 
 /// Numbers that need all 16 bits.
@@ -195,7 +195,7 @@ TEST_F(DisplayFiles, ADeepPictureComesBackWithAllItsBits) {
 }
 
 TEST_F(DisplayFiles, SrgbNeedsNoProfile) {
-  const std::vector<std::uint8_t> rgba(4 * 6, 77);
+  const std::vector<std::uint8_t> rgba(24, 77);
   write_png(path("plain.png"), 3, 2, rgba, {}, color_tags(Display()));
   const auto chunks = png_chunks(read_file(path("plain.png")));
   EXPECT_EQ(Reader(chunks.front().second).number(8, 1), 8U);

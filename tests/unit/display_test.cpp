@@ -119,7 +119,7 @@ TEST(Display, ColoursOutsideTheGamutKeepLuminanceAndHue) {
     // Over the whole triangle of x and y and far beyond, negative components included.
     for (const double y : {1.0e-3, 1.0, 20.0, 100.0, 180.0, 199.9}) {
       for (int i = 0; i < 900; ++i) {
-        const Vec2 chromaticity(0.01 + 0.05 * (i % 30) - 0.3, 0.02 + 0.03 * (i / 30));
+        const Vec2 chromaticity(0.01 + 0.05 * (i % 30) - 0.3, 0.02 + 0.03 * std::floor(i / 30.0));
         const Vec3 xyz = y * f64::xyz_of_chromaticity(chromaticity);
         const Vec3 signal = f64::display_signal(xyz, model, 0.0);
         for (int channel = 0; channel < 3; ++channel) {
