@@ -18,7 +18,10 @@ public:
   DisplayMapping& operator=(const DisplayMapping&) = delete;
   virtual ~DisplayMapping() = default;
 
-  /// Fills `pixels` (rgba8, sRGB code values) from `frame` (rgba32f: X, Y, Z in cd/m2 and S), both width x height.
+  /// Of the pixels that it fills: rgba8 or rgba16.
+  [[nodiscard]] virtual PixelFormat format() const = 0;
+
+  /// Fills `pixels` (the display's code values) from `frame` (rgba32f: X, Y, Z in cd/m2 and S), both width x height.
   /// \param first_row of the picture that they hold
   virtual void map(const Texture& frame, const Texture& pixels, int width, int height, int first_row) = 0;
 };
@@ -26,14 +29,16 @@ public:
 /// One luminance becomes the display's white; brighter colours keep their hue. Code values are dithered.
 class PlainExposure : public DisplayMapping {
 public:
-  /// \param white luminance that becomes code value 255 for a neutral colour, > 0
-  PlainExposure(const ShaderLibrary& library, Luminance white);
+  /// \param white luminance that becomes the largest code value for a neutral colour, > 0
+  PlainExposure(const ShaderLibrary& library, Luminance white, PixelFormat format = PixelFormat::rgba8);
 
+  [[nodiscard]] PixelFormat format() const override { return format_; }
   void map(const Texture& frame, const Texture& pixels, int width, int height, int first_row) override;
 
 private:
   ProgramHandle program_;
   Luminance white_;
+  PixelFormat format_;
 };
 
 /// The white luminance at which a V = 5 star seen through no air reaches a sixth of white (code value 114) in its
