@@ -149,6 +149,27 @@ TEST(LimitingMagnitude, OfNightMoonlightAndNoon) {
   }
 }
 
+TEST(OrderOfAppearance, Explore) {
+  Skies skies(clear_medium());
+  for (const double factor : {1.0, 1.7}) {
+    for (const double m : {-3.9, -2.0, -1.46, 0.03, 1.0, 2.0, 3.0}) {
+      double best = 99.0;
+      double at = 0.0;
+      for (const double h : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
+        const double d = skies.first_seen_deg(m, h * deg, 0.0 * deg, factor);
+        if (h + d < best) { best = h + d; at = h; }
+      }
+      std::printf("F %.1f m %.2f AV %.1f at %.0f, formula %.1f\n", factor, m, best, at, 10.5 + 1.4 * m);
+    }
+  }
+  for (const double d : {-3.0, 0.0, 0.83, 3.0, 6.0, 9.0, 12.0}) {
+    skies.put_sun(-d * deg);
+    std::printf("d %.1f zenith %.3g: ", d, skies.background({0.0 * deg, 90.0 * deg}).sum().y);
+    for (const double az : {0.0, 90.0, 180.0}) for (const double h : {5.0, 10.0, 20.0, 45.0}) std::printf(" %.1f", skies.limit(h * deg, az * deg));
+    std::printf(" %.1f\n", skies.zenith_limit());
+  }
+}
+
 TEST(OrderOfAppearance, Dusk) {
   Skies skies(clear_medium());
   for (const double factor : {0.5, 1.0, 1.7, 2.4}) {
