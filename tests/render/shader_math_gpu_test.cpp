@@ -262,7 +262,7 @@ std::vector<FunctionCase> function_cases() {
        {-14, 1, 0, 0},
        {21, 2.4F, 0, 0},
        97,
-       1.0e-5F},
+       1.0e-4F},
       {"seen_color",
        "vec4(seen_color(v.x * vec4(0.9, 1.0, v.y, v.z), mesopic_cone_share(v.x, v.x * v.z)), 0)",
        [](const glm::vec4& v) {
