@@ -71,13 +71,16 @@ StarSight star_sight(const StarView& star, const SkyBackground& background, Angl
       return sight;
     }
   }
-  if (seen(natural, star.light)) {
-    sight.hidden = std::max_element(hiding.begin(), hiding.end(), [&](const HidingLight& a, const HidingLight& b) {
-                     return (background.*a.source).y < (background.*b.source).y;
-                   })->hidden;
-  } else {
-    sight.hidden = seen(natural, star.in_zenith) ? Hidden::low_in_the_air : Hidden::too_faint;
-  }
+  const auto brightest = [&] {
+    return std::max_element(hiding.begin(), hiding.end(),
+                            [&](const HidingLight& a, const HidingLight& b) {
+                              return (background.*a.source).y < (background.*b.source).y;
+                            })
+        ->hidden;
+  };
+  sight.hidden = !seen(natural, star.in_zenith)                                   ? Hidden::too_faint
+                 : seen(natural, star.light) || !seen(background, star.in_zenith) ? brightest()
+                                                                                  : Hidden::low_in_the_air;
   return sight;
 }
 
