@@ -47,7 +47,8 @@ struct StarView {
 
 /// Of a star that is not seen, what hides it is the first of these that, taken away, would show it: the Sun's light in
 /// the air, the Moon's, that of cities; all of them together, of which the brightest is named then; the air that it
-/// stands lower in than the zenith. Else it is too faint. \param horizon altitude of the horizon as it is seen
+/// stands lower in than the zenith, unless those lights would hide it there too. Else it is too faint.
+/// \param horizon altitude of the horizon as it is seen
 [[nodiscard]] StarSight star_sight(const StarView& star, const SkyBackground& background, Angle sun_altitude,
                                    Angle horizon, double field_factor = f64::default_field_factor);
 

@@ -30,6 +30,7 @@ TEST(StarSight, TellsWhatHidesAStar) {
   EXPECT_EQ(hidden_of(star_of(5.0), lit, -5.0 * deg), Hidden::by_twilight);
   EXPECT_EQ(hidden_of(star_of(5.0), lit, 5.0 * deg), Hidden::by_daylight);
   EXPECT_EQ(hidden_of(star_of(7.5), lit, 5.0 * deg), Hidden::too_faint);
+  EXPECT_EQ(hidden_of(star_of(5.0, 0.1), lit, 5.0 * deg), Hidden::by_daylight); // low too, but what matters
   lit = sky;
   lit.moon = 100.0 * night;
   EXPECT_EQ(hidden_of(star_of(5.8), lit), Hidden::by_moonlight);

@@ -244,7 +244,8 @@ TEST_F(LightColumns, StarsAreSeenOrHiddenByWhatHidesThem) {
   };
   using Reasons = std::vector<std::string>;
   // Midsummer noon; the Sun 3 degrees down; moonlight; a night without a Moon, from a city and from the country.
-  EXPECT_EQ(why("Capella,Vega", "2026-06-21T12:00:00Z"), (Reasons{"in daylight", "below the horizon"}));
+  EXPECT_EQ(why("Capella,Vega,HR4730", "2026-06-21T12:00:00Z"),
+            (Reasons{"in daylight", "in daylight", "below the horizon"}));
   EXPECT_EQ(why("Capella,Polaris", "2026-03-20T18:30:00Z"), (Reasons{"visible", "in twilight"}));
   EXPECT_EQ(why("Polaris,HR4893", "2026-01-03T00:00:00Z"), (Reasons{"visible", "in moonlight"}));
   EXPECT_EQ(why("Polaris,HR4893", "2026-12-09T00:00:00Z"), (Reasons{"visible", "visible"}));
