@@ -211,7 +211,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
 }
 
 std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
-                       const DarkLight& dark) {
+                       const DarkLight& dark, std::optional<double> limiting_magnitude) {
   const BodyPlace& moon = sky.moon.place;
   const MoonIllumination moon_light = moon_illumination(sky);
   const Refraction refraction = with_table(sky.refraction);
@@ -239,12 +239,17 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   if (sky.sun.altitude < civil_twilight_end) {
     text += dark_text(dark, of_sun_and_moon.empty());
   }
+  if (limiting_magnitude) {
+    fmt::format_to(out, "Limit   {:.1f} mag in the zenith\n", *limiting_magnitude);
+  }
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }
-  const bool hidden = sky.sun.altitude > civil_twilight_end && !sun_hidden;
-  fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
-  for (const Up& up : stars_up(sky, catalogue)) {
+  const std::vector<Up> stars = stars_up(sky, catalogue);
+  const bool hidden =
+      limiting_magnitude && !stars.empty() && static_cast<double>(stars.front().star->magnitude) > *limiting_magnitude;
+  fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (too faint to be seen now)" : "");
+  for (const Up& up : stars) {
     const Horizontal place = horizontal_of(up.direction);
     fmt::format_to(out, "  {:<16} {:5.2f} mag  {}\n", star_label(*up.star), up.star->magnitude,
                    where(place.azimuth, place.altitude));

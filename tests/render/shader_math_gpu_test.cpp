@@ -45,6 +45,42 @@ using ShaderMathGpu = RenderTest;
 
 TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
   std::vector<FunctionCase> cases{
+      {"threshold_of_a_point, in its logarithm",
+       "vec4(log(threshold_illuminance_lux(exp(v.x), v.y)), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(std::log(f32::threshold_illuminance_lux(std::exp(v.x), v.y))); },
+       {-14, 1, 0, 0},
+       {21, 2.4F, 0, 0},
+       97,
+       1.0e-4F},
+      {"seen_color",
+       "vec4(seen_color(v.x * vec4(0.9, 1.0, v.y, v.z), mesopic_cone_share(v.x, v.x * v.z)), 0)",
+       [](const glm::vec4& v) {
+         return glm::vec4(
+             f32::seen_color(v.x * glm::vec4(0.9F, 1.0F, v.y, v.z), f32::mesopic_cone_share(v.x, v.x * v.z)), 0.0F);
+       },
+       {0.001F, 0.3F, 0.5F, 0},
+       {6, 2, 4, 0},
+       17,
+       1.0e-3F},
+      {"thompson_night",
+       "vec4(thompson_night(v.xyz, 0.01, 0.1, 0.5), 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::thompson_night(glm::vec3(v), 0.01F, 0.1F, 0.5F), 0.0F); },
+       {0, 0, 0, 0},
+       {1, 1, 1, 0},
+       9,
+       1.0e-5F},
+      {"thresholds, acuity and adaptation",
+       "vec4(log(just_noticeable_cd_m2(exp(v.x))), acuity_cycles_per_degree(exp(v.x)), "
+       "log(adapted(vec2(exp(v.x), exp(v.y)), vec2(1.0, 0.1), 20.0)))",
+       [](const glm::vec4& v) {
+         const f32::vec2 adapted = f32::adapted({std::exp(v.x), std::exp(v.y)}, {1.0F, 0.1F}, 20.0F);
+         return glm::vec4(std::log(f32::just_noticeable_cd_m2(std::exp(v.x))),
+                          f32::acuity_cycles_per_degree(std::exp(v.x)), std::log(adapted.x), std::log(adapted.y));
+       },
+       {-14, -14, 0, 0},
+       {14, 14, 0, 0},
+       41,
+       1.0e-4F},
       {"hash",
        "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) {
