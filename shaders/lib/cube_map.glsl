@@ -49,3 +49,15 @@ FN int cube_face(PVec3 direction, int rank) {
 FN PVec3 cube_direction(int face, PVec2 place) {
   return cube_face_axes(face) * PVec3(place.x, place.y, PReal(1.0));
 }
+
+// OpenGL lays a cube's faces out as above, but left-handed: the direction in which it finds one of right-handed axes, in a
+// texture whose last two faces are exchanged.
+FN vec3 opengl_cube_direction(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
+
+// How many times a map of n texels along a face's side is to be halved until a texel is as wide (by the root of its solid
+// angle) as `width_rad` in a direction (unit vector); less than 0 where the map itself is coarser.
+FN Real cube_level(vec3 direction, Real width_rad, Real n) {
+  vec3 size = abs(direction);
+  Real outward = max(size.x, max(size.y, size.z));
+  return log2(Real(0.5) * n * width_rad / (outward * sqrt(outward)));
+}

@@ -45,7 +45,7 @@ Vec4 from_map(const Vec3& direction) {
     const std::size_t first = k * ZodiacalMap::columns + i;
     return glm::mix(map.texels[first], map.texels[first + 1], place.x - static_cast<double>(i));
   };
-  return f64::dust_law(direction) * glm::exp2(glm::mix(row(j), row(j + 1), place.y - static_cast<double>(j)));
+  return glm::exp2(f64::log2_dust_law(direction) + glm::mix(row(j), row(j + 1), place.y - static_cast<double>(j)));
 }
 
 TEST(ZodiacalLight, IsThePublishedTable) {
