@@ -55,15 +55,18 @@ vec4 zodiacal_light(vec3 direction) {
 }
 
 #ifdef MILKY_WAY
-// In a direction that is seen; `width` is that of the pixel.
-vec4 starlight(vec3 direction, float width) {
+// The least width of a texel: pixels that lie as far apart as texels would miss light of some and see others twice.
+const float texel_pixels = 1.5;
+
+// In a direction that is seen.
+vec4 starlight(vec3 direction, float texel_rad) {
   RefractionFrame frame = RefractionFrame(REFRACTION, refraction_air.x, refraction_air.y, refraction_air.z,
                                           refraction_scales.xy, refraction_scales.zw);
   float bend = refraction_bend(dvec3(length(direction.xy), 0.0, direction.z), true, frame, refraction_table);
   // Lowered along the tangent of its circle through the zenith: within 0.1 arcsec for the bend of any air.
   vec3 truly = normalize(direction - bend * (vec3(0.0, 0.0, 1.0) - direction.z * direction));
   vec3 icrs = icrs_from_horizon * truly;
-  float level = cube_level(icrs, width, float(textureSize(milky_way, 0).x));
+  float level = cube_level(texel_rad, float(textureSize(milky_way, 0).x));
   return textureLod(milky_way, opengl_cube_direction(icrs), level);
 }
 #endif
@@ -80,7 +83,7 @@ void main() {
 #ifdef BEYOND
   vec4 light = zodiacal_scale > 0.0 ? zodiacal_light(helioecliptic_from_horizon * direction) : vec4(0.0);
 #ifdef MILKY_WAY
-  light += starlight(direction, pixel_width(at, frame));
+  light += starlight(direction, texel_pixels * pixel_width(at, frame));
 #endif
   StarExtinctionFrame air = StarExtinctionFrame(extinction_size.x, extinction_size.y, extinction_rows.x,
                                                 extinction_rows.y, extinction_rows.z, extinction_hues.x,

@@ -14,88 +14,27 @@ namespace {
 
 using Level = CubePyramid::Level;
 
-/// From the middle of a face to a place on it.
-double solid_angle_to(double right, double up) {
-  return std::atan2(right * up, std::sqrt(1.0 + right * right + up * up));
-}
-
-/// Of the texels of one face, row by row; all faces are alike.
-std::vector<double> solid_angles(int face_size) {
-  const auto place = [&](int i) { return 2.0 * i / face_size - 1.0; };
-  std::vector<double> result;
-  for (int row = 0; row < face_size; ++row) {
-    for (int column = 0; column < face_size; ++column) {
-      result.push_back(cube_solid_angle_sr({place(column), place(row)}, {place(column + 1), place(row + 1)}));
-    }
-  }
-  return result;
-}
-
-/// A texel that one of the next size covers, and how much of its side.
-struct Covered {
-  int index = 0;
+/// A texel and its share of what is seen at a place.
+struct Share {
+  std::size_t texel = 0;
   double share = 0.0;
 };
 
-/// By texel of the smaller size: along one side, since what they cover is rectangles.
-std::vector<std::vector<Covered>> covered_along(int large, int small) {
-  std::vector<std::vector<Covered>> all;
-  for (int i = 0; i < small; ++i) {
-    const double from = static_cast<double>(i) * large / small;
-    const double to = static_cast<double>(i + 1) * large / small;
-    auto& covered = all.emplace_back();
-    for (int k = static_cast<int>(from); k < large && k < to; ++k) {
-      covered.push_back({k, std::min(to, k + 1.0) - std::max(from, static_cast<double>(k))});
-    }
-  }
-  return all;
+/// The texels that a place is mixed from: four, of which one may stand for the two that meet it at a corner.
+struct Shares {
+  std::array<Share, 6> parts{};
+  std::size_t count = 0;
+  void add(std::size_t texel, double share) { parts.at(count++) = {texel, share}; }
+};
+
+std::size_t texel_index(int n, int face, int column, int row) {
+  return static_cast<std::size_t>((face * n + row) * static_cast<std::ptrdiff_t>(n) + column);
 }
 
-Level half(const Level& from) {
-  const int large = from.face_size;
-  const int small = std::max(large / 2, 1);
-  const std::vector<double> weights = solid_angles(large);
-  const auto covered = covered_along(large, small);
-  Level to{small, {}};
-  to.texels.reserve(4 * cube_texel_count(small));
-  for (int face = 0; face < 6; ++face) {
-    for (const auto& rows : covered) {
-      for (const auto& columns : covered) {
-        Vec4 light(0.0);
-        double solid_angle = 0.0;
-        for (const Covered& row : rows) {
-          for (const Covered& column : columns) {
-            const auto on_face = static_cast<std::size_t>(row.index) * static_cast<std::size_t>(large) +
-                                 static_cast<std::size_t>(column.index);
-            const float* texel =
-                &from.texels[4 * (static_cast<std::size_t>(face) * weights.size() + on_face)];
-            const double weight = row.share * column.share * weights[on_face];
-            light += weight * Vec4(texel[0], texel[1], texel[2], texel[3]);
-            solid_angle += weight;
-          }
-        }
-        light /= solid_angle;
-        for (int channel = 0; channel < 4; ++channel) {
-          to.texels.push_back(static_cast<float>(light[channel]));
-        }
-      }
-    }
-  }
-  return to;
-}
-
-Vec4 texel_of(const Level& level, int face, int column, int row) {
-  const int n = level.face_size;
-  const auto index = static_cast<std::size_t>((face * n + row) * static_cast<std::ptrdiff_t>(n) + column);
-  const float* texel = &level.texels[4 * index];
-  return {texel[0], texel[1], texel[2], texel[3]};
-}
-
-/// Of a column and a row of which one may be -1 or the number of texels a side: those of the face beyond that edge.
-Vec4 texel_across(const Level& level, int face, int column, int row) {
-  const int n = level.face_size;
+/// Of a column and a row of which one may be -1 or n: that of the face beyond the edge.
+std::size_t texel_across(int n, int face, int column, int row) {
   if (column >= 0 && column < n && row >= 0 && row < n) {
-    return texel_of(level, face, column, row);
+    return texel_index(n, face, column, row);
   }
   constexpr double beyond = 1.0 + 1.0e-6; // of the edge, by less than any texel's width
   const auto place = [&](int i) { return i < 0 ? -beyond : i >= n ? beyond : (2.0 * i + 1.0) / n - 1.0; };
@@ -103,41 +42,84 @@ Vec4 texel_across(const Level& level, int face, int column, int row) {
   const int other = f64::cube_face(direction, 0);
   const Vec3 local = glm::transpose(f64::cube_face_axes(other)) * direction;
   const auto index = [&](double at) { return std::clamp(static_cast<int>(0.5 * (at + 1.0) * n), 0, n - 1); };
-  return texel_of(level, other, index(local.x / local.z), index(-local.y / local.z));
+  return texel_index(n, other, index(local.x / local.z), index(-local.y / local.z));
 }
 
-/// Beyond a corner there is no texel: the mean of the three that meet at it, as OpenGL 4.5 has it (section 8.14.1).
-Vec4 texel_around(const Level& level, int face, int column, int row) {
-  const int inner_column = std::clamp(column, 0, level.face_size - 1);
-  const int inner_row = std::clamp(row, 0, level.face_size - 1);
-  if (inner_column == column || inner_row == row) {
-    return texel_across(level, face, column, row);
+/// At a place of a face, in texels from the middle of its first one.
+Shares shares_at(int n, int face, const Vec2& place) {
+  const int first_column = static_cast<int>(std::floor(place.x));
+  const int first_row = static_cast<int>(std::floor(place.y));
+  const Vec2 second = place - Vec2(first_column, first_row);
+  Shares shares;
+  for (int k = 0; k < 4; ++k) {
+    const int column = first_column + k % 2;
+    const int row = first_row + k / 2;
+    const double share = (k % 2 == 0 ? 1.0 - second.x : second.x) * (k / 2 == 0 ? 1.0 - second.y : second.y);
+    const int inner_column = std::clamp(column, 0, n - 1);
+    const int inner_row = std::clamp(row, 0, n - 1);
+    if (inner_column == column || inner_row == row) {
+      shares.add(texel_across(n, face, column, row), share);
+      continue;
+    }
+    // Beyond a corner there is no texel: the mean of the three that meet at it, as OpenGL 4.5 has it (section 8.14.1).
+    shares.add(texel_index(n, face, inner_column, inner_row), share / 3.0);
+    shares.add(texel_across(n, face, column, inner_row), share / 3.0);
+    shares.add(texel_across(n, face, inner_column, row), share / 3.0);
   }
-  return (texel_of(level, face, inner_column, inner_row) + texel_across(level, face, column, inner_row) +
-          texel_across(level, face, inner_column, row)) /
-         3.0;
+  return shares;
+}
+
+Vec4 light_of(const Level& level, std::size_t texel) {
+  const float* values = &level.texels[4 * texel];
+  return {values[0], values[1], values[2], values[3]};
 }
 
 Vec4 between_texels(const Level& level, const Vec3& direction) {
   const int face = f64::cube_face(direction, 0);
   const Vec3 local = glm::transpose(f64::cube_face_axes(face)) * direction;
-  const double x = 0.5 * (local.x / local.z + 1.0) * level.face_size - 0.5;
-  const double y = 0.5 * (1.0 - local.y / local.z) * level.face_size - 0.5;
-  const int column = static_cast<int>(std::floor(x));
-  const int row = static_cast<int>(std::floor(y));
-  const auto along = [&](int in_row) {
-    return glm::mix(texel_around(level, face, column, in_row), texel_around(level, face, column + 1, in_row),
-                    x - column);
-  };
-  return glm::mix(along(row), along(row + 1), y - row);
+  const Vec2 place =
+      0.5 * level.face_size * (Vec2(1.0) + Vec2(local.x, -local.y) / local.z) - Vec2(0.5);
+  const Shares shares = shares_at(level.face_size, face, place);
+  Vec4 light(0.0);
+  for (std::size_t i = 0; i < shares.count; ++i) {
+    light += shares.parts.at(i).share * light_of(level, shares.parts.at(i).texel);
+  }
+  return light;
+}
+
+/// The next size.
+/// \param solid_angles_sr over which what is seen of each texel adds up; becomes that of the next size
+Level half(const Level& from, std::vector<double>& solid_angles_sr) {
+  const int large = from.face_size;
+  const int small = std::max(large / 2, 1);
+  std::vector<Vec4> light(cube_texel_count(small), Vec4(0.0));
+  std::vector<double> solid_angles(light.size(), 0.0);
+  const auto place = [&](int i) { return (i + 0.5) * small / large - 0.5; };
+  std::size_t texel = 0;
+  for (int face = 0; face < 6; ++face) {
+    for (int row = 0; row < large; ++row) {
+      for (int column = 0; column < large; ++column, ++texel) {
+        const Shares shares = shares_at(small, face, {place(column), place(row)});
+        for (std::size_t i = 0; i < shares.count; ++i) {
+          const double given = shares.parts.at(i).share * solid_angles_sr[texel];
+          light[shares.parts.at(i).texel] += given * light_of(from, texel);
+          solid_angles[shares.parts.at(i).texel] += given;
+        }
+      }
+    }
+  }
+  Level to{small, {}};
+  to.texels.reserve(4 * light.size());
+  for (std::size_t i = 0; i < light.size(); ++i) {
+    for (int channel = 0; channel < 4; ++channel) {
+      to.texels.push_back(static_cast<float>(light[i][channel] / solid_angles[i]));
+    }
+  }
+  solid_angles_sr = std::move(solid_angles);
+  return to;
 }
 
 } // namespace
-
-double cube_solid_angle_sr(const Vec2& low, const Vec2& high) {
-  return solid_angle_to(high.x, high.y) - solid_angle_to(low.x, high.y) - solid_angle_to(high.x, low.y) +
-         solid_angle_to(low.x, low.y);
-}
 
 CubePyramid::CubePyramid(int face_size, std::vector<float> texels) {
   if (face_size < 1 || texels.size() != 4 * cube_texel_count(face_size)) {
@@ -147,8 +129,12 @@ CubePyramid::CubePyramid(int face_size, std::vector<float> texels) {
                 {});
   }
   levels_.push_back({face_size, std::move(texels)});
+  std::vector<double> solid_angles_sr(cube_texel_count(face_size));
+  for (std::size_t i = 0; i < solid_angles_sr.size(); ++i) {
+    solid_angles_sr[i] = cube_texel(face_size, i).solid_angle_sr;
+  }
   while (levels_.back().face_size > 1) {
-    levels_.push_back(half(levels_.back()));
+    levels_.push_back(half(levels_.back(), solid_angles_sr));
   }
 }
 

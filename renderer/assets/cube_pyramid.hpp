@@ -8,8 +8,8 @@
 
 namespace vesper {
 
-/// Each size holds the same light: a texel is the mean of those that it covers, by the solid angle that it covers of
-/// each.
+/// Read between its texels, each size holds the same light, and what is even stays even: a texel of one size gives its
+/// light to those of the next in the shares by which they are mixed at its middle.
 class CubePyramid {
 public:
   struct Level {
@@ -32,9 +32,5 @@ public:
 private:
   std::vector<Level> levels_;
 };
-
-/// Solid angle of a part of a face, from its lower left corner to its upper right one, places as in cube_map.glsl, sr.
-/// Exact.
-[[nodiscard]] double cube_solid_angle_sr(const Vec2& low, const Vec2& high);
 
 } // namespace vesper

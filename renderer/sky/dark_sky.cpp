@@ -51,8 +51,9 @@ Vec4 zodiacal_light(const DarkSky& sky, const Vec3& direction) {
 
 Vec4 faint_starlight(const DarkSky& sky, const Vec3& direction, Angle width) {
   const CubePyramid& map = sky.milky_way != nullptr ? *sky.milky_way : *default_milky_way();
-  const Vec3 icrs = sky.icrs_from_horizon * direction;
-  return map.at(icrs, f64::cube_level(icrs, width.to(rad), map.levels().front().face_size));
+  constexpr double texels_across = 2.0; // of what is mixed between texels, at half its weight
+  return map.at(sky.icrs_from_horizon * direction,
+                f64::cube_level(width.to(rad) / texels_across, map.levels().front().face_size));
 }
 
 Vec4 airglow_above(const DarkSky& sky, double sin_altitude) {

@@ -54,10 +54,7 @@ FN PVec3 cube_direction(int face, PVec2 place) {
 // texture whose last two faces are exchanged.
 FN vec3 opengl_cube_direction(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
 
-// How many times a map of n texels along a face's side is to be halved until a texel is as wide (by the root of its solid
-// angle) as `width_rad` in a direction (unit vector); less than 0 where the map itself is coarser.
-FN Real cube_level(vec3 direction, Real width_rad, Real n) {
-  vec3 size = abs(direction);
-  Real outward = max(size.x, max(size.y, size.z));
-  return log2(Real(0.5) * n * width_rad / (outward * sqrt(outward)));
-}
+// How many times a map of n texels along a face's side is to be halved until its texels are on the average (by the root
+// of their solid angle) as wide as `width_rad`; less than 0 where the map itself is coarser. It does not tell apart where
+// on a face they lie, 0.6 to 1.4 of that wide: light would be lost and won from one size to the next.
+FN Real cube_level(Real width_rad, Real n) { return log2(n * width_rad / Real(1.4472025)); } // sqrt(4 pi / 6)

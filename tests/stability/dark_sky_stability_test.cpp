@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 
 namespace vesper {
 namespace {
@@ -119,16 +120,19 @@ TEST(DarkSkyStability, FarDatesHaveAnEclipticToo) {
 TEST(DarkSkyStability, RefusesWhatIsOutOfRange) {
   const SkyState sky = sky_state(parse_instant("2026-01-01T00:00:00Z"), {});
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto refused = [&](std::optional<double> flux, const CityGlow& glow) {
+    EXPECT_THROW(static_cast<void>(dark_sky(sky, {flux, glow, nullptr})), Error);
+  };
   for (const double flux : {0.0, -70.0, nan}) {
-    EXPECT_THROW(static_cast<void>(dark_sky(sky, {flux, {}})), Error) << flux;
+    refused(flux, {});
   }
   for (const double glow : {-1.0, nan}) {
-    EXPECT_THROW(static_cast<void>(dark_sky(sky, {{}, {glow * candela_per_m2, {}, 30.0 * kilometre}})), Error) << glow;
+    refused({}, {glow * candela_per_m2, {}, 30.0 * kilometre});
   }
   for (const double distance : {0.0, 301.0, nan}) {
-    EXPECT_THROW(static_cast<void>(dark_sky(sky, {{}, {Luminance(), {}, distance * kilometre}})), Error) << distance;
+    refused({}, {Luminance(), {}, distance * kilometre});
   }
-  EXPECT_THROW(static_cast<void>(dark_sky(sky, {{}, {Luminance(), nan * deg, 30.0 * kilometre}})), Error);
+  refused({}, {Luminance(), nan * deg, 30.0 * kilometre});
 }
 
 TEST(DarkSkyStability, GlowIsFiniteEverywhere) {
