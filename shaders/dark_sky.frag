@@ -56,7 +56,7 @@ vec4 zodiacal_light(vec3 direction) {
 
 #ifdef MILKY_WAY
 // The least width of a texel: pixels that lie as far apart as texels would miss light of some and see others twice.
-const float texel_pixels = 1.5;
+const float texel_pixels = 2.0;
 
 // In a direction that is seen.
 vec4 starlight(vec3 direction, float texel_rad) {

@@ -87,11 +87,14 @@ Vec4 between_texels(const Level& level, const Vec3& direction) {
   return light;
 }
 
-/// The next size.
-/// \param solid_angles_sr over which what is seen of each texel adds up; becomes that of the next size
-Level half(const Level& from, std::vector<double>& solid_angles_sr) {
-  const int large = from.face_size;
-  const int small = std::max(large / 2, 1);
+/// A level, and over what solid angle that which is seen of each of its texels adds up.
+struct CountedLevel {
+  Level level;
+  std::vector<double> solid_angles_sr;
+};
+
+CountedLevel smaller(const CountedLevel& from, int small) {
+  const int large = from.level.face_size;
   std::vector<Vec4> light(cube_texel_count(small), Vec4(0.0));
   std::vector<double> solid_angles(light.size(), 0.0);
   const auto place = [&](int i) { return (i + 0.5) * small / large - 0.5; };
@@ -101,8 +104,8 @@ Level half(const Level& from, std::vector<double>& solid_angles_sr) {
       for (int column = 0; column < large; ++column, ++texel) {
         const Shares shares = shares_at(small, face, {place(column), place(row)});
         for (std::size_t i = 0; i < shares.count; ++i) {
-          const double given = shares.parts.at(i).share * solid_angles_sr[texel];
-          light[shares.parts.at(i).texel] += given * light_of(from, texel);
+          const double given = shares.parts.at(i).share * from.solid_angles_sr[texel];
+          light[shares.parts.at(i).texel] += given * light_of(from.level, texel);
           solid_angles[shares.parts.at(i).texel] += given;
         }
       }
@@ -115,9 +118,12 @@ Level half(const Level& from, std::vector<double>& solid_angles_sr) {
       to.texels.push_back(static_cast<float>(light[i][channel] / solid_angles[i]));
     }
   }
-  solid_angles_sr = std::move(solid_angles);
-  return to;
+  return {std::move(to), std::move(solid_angles)};
 }
+
+/// From this size on down, texels are so large that one size made of the next would not be what is seen of it within
+/// 0.1 %: these are all made of the last that is larger.
+constexpr int coarse_face_size = 64;
 
 } // namespace
 
@@ -128,13 +134,17 @@ CubePyramid::CubePyramid(int face_size, std::vector<float> texels) {
                     " texels a side with four each",
                 {});
   }
-  levels_.push_back({face_size, std::move(texels)});
-  std::vector<double> solid_angles_sr(cube_texel_count(face_size));
-  for (std::size_t i = 0; i < solid_angles_sr.size(); ++i) {
-    solid_angles_sr[i] = cube_texel(face_size, i).solid_angle_sr;
+  CountedLevel from{{face_size, std::move(texels)}, {}};
+  for (std::size_t i = 0; i < cube_texel_count(face_size); ++i) {
+    from.solid_angles_sr.push_back(cube_texel(face_size, i).solid_angle_sr);
   }
+  levels_.push_back(from.level);
   while (levels_.back().face_size > 1) {
-    levels_.push_back(half(levels_.back(), solid_angles_sr));
+    CountedLevel next = smaller(from, levels_.back().face_size / 2);
+    levels_.push_back(next.level);
+    if (next.level.face_size > coarse_face_size) {
+      from = std::move(next);
+    }
   }
 }
 
