@@ -24,8 +24,9 @@ enum class PanoramaCalibration {
   given,   ///< by PanoramaOptions::cd_m2_per_unit
   stars,   ///< a scale fitted to catalogue stars in the picture
   anchors, ///< for pictures made for a display: a power law over a black that is not dark, through the published
-           ///< brightness of the Milky Way's poles and of two fields in it, and the integrated colour of the Milky Way with half of the picture's contrast of colours around it.
-           ///< Uncalibrated: good for a look, not for measuring
+           ///< brightness of the Milky Way's poles and of two fields in it, and the integrated colour of the Milky Way
+           ///< with half of the picture's contrast of colours around it. Uncalibrated: good for a look, not for
+           ///< measuring
 };
 
 struct PanoramaOptions {

@@ -93,9 +93,9 @@ struct AnchorSamples {
   std::vector<AnchorSample> sagittarius;
 };
 
-/// The law under which the mean over each of the fields is its anchor. Throws Error(input), naming `file`, for a picture
-/// without light in Sagittarius or at the anticentre, or that no exponent from 0.1 to 5 fits, or that has more light at
-/// the poles than that leaves for its black.
+/// The law under which the mean over each of the fields is its anchor. Throws Error(input), naming `file`, for a
+/// picture without light in Sagittarius or at the anticentre, or that no exponent from 0.1 to 5 fits, or that has more
+/// light at the poles than that leaves for its black.
 [[nodiscard]] AnchoredLaw fit_anchors(const AnchorSamples& samples, const std::string& file);
 
 } // namespace vesper

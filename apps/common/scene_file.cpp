@@ -128,8 +128,7 @@ GivenOptions read_scene_file(const fs::path& path) {
                        type_name(node)),
            fmt::format("It takes {}", wanted(option->kind)));
     }
-    if (option->kind == SceneValueKind::file ||
-        (option->kind == SceneValueKind::name_or_file && names_a_file(*text))) {
+    if (option->kind == SceneValueKind::file || (option->kind == SceneValueKind::name_or_file && names_a_file(*text))) {
       text = (path.parent_path() / *text).string();
     }
     given[std::string(name)] = {

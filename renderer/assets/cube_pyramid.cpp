@@ -77,8 +77,7 @@ Vec4 light_of(const Level& level, std::size_t texel) {
 Vec4 between_texels(const Level& level, const Vec3& direction) {
   const int face = f64::cube_face(direction, 0);
   const Vec3 local = glm::transpose(f64::cube_face_axes(face)) * direction;
-  const Vec2 place =
-      0.5 * level.face_size * (Vec2(1.0) + Vec2(local.x, -local.y) / local.z) - Vec2(0.5);
+  const Vec2 place = 0.5 * level.face_size * (Vec2(1.0) + Vec2(local.x, -local.y) / local.z) - Vec2(0.5);
   const Shares shares = shares_at(level.face_size, face, place);
   Vec4 light(0.0);
   for (std::size_t i = 0; i < shares.count; ++i) {

@@ -24,8 +24,8 @@ struct DarkSkyOptions {
 
 /// The sources of one scene. Directions are unit vectors of the horizon frame, luminances X, Y, Z, S in cd/m2.
 ///
-/// No light counts twice: point stars are the catalogue's; all other light from beyond the solar system is in the map of
-/// the Milky Way, from which drawn stars were removed. It holds the light that dust and other galaxies add.
+/// No light counts twice: point stars are the catalogue's; all other light from beyond the solar system is in the map
+/// of the Milky Way, from which drawn stars were removed. It holds the light that dust and other galaxies add.
 struct DarkSky {
   Mat3 helioecliptic_from_horizon{1.0}; ///< x towards the Sun in the ecliptic of date, z to the ecliptic's north pole
   Mat3 icrs_from_horizon{1.0};

@@ -8,8 +8,8 @@
 
 namespace vesper {
 
-/// X, Y, Z and S in cd/m2 in ICRS axes. Frames share it: it is copied to the GPU once. For a map of one's own whose drawn
-/// stars were removed.
+/// X, Y, Z and S in cd/m2 in ICRS axes. Frames share it: it is copied to the GPU once. For a map of one's own whose
+/// drawn stars were removed.
 [[nodiscard]] std::shared_ptr<const CubePyramid> make_milky_way(SkyMap map);
 
 /// Of the embedded map, made at the first call.

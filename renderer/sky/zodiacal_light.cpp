@@ -93,8 +93,9 @@ Ratios make_ratios() {
     ratios.longitude_deg.at(i) = table.number(i, 0);
     for (std::size_t j = 0; j < latitudes; ++j) {
       const Vec3 place = helioecliptic(ratios.longitude_deg.at(i), latitude_deg.at(j));
-      ratios.log.at(i).at(j) =
-          table.cell(i, j + 1).empty() ? untabulated : std::log(table.number(i, j + 1)) - std::numbers::ln2 * f64::log2_dust_law(place);
+      ratios.log.at(i).at(j) = table.cell(i, j + 1).empty()
+                                   ? untabulated
+                                   : std::log(table.number(i, j + 1)) - std::numbers::ln2 * f64::log2_dust_law(place);
     }
   }
   fill_near_sun(ratios);

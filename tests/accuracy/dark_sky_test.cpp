@@ -264,8 +264,8 @@ TEST(FaintStarlight, LightsTheAirAndTheGroundAsAllOfItsTexelsDo) {
     DarkSky dark;
     const Vec3 east = glm::normalize(glm::cross(Vec3(0.1, 0.7, 0.3), zenith));
     dark.icrs_from_horizon = Mat3(east, glm::cross(zenith, east), zenith);
-    const SpreadLight light = spread_light(
-        0.0 * deg, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; });
+    const SpreadLight light =
+        spread_light(0.0 * deg, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; });
     double found = 0.0;
     for (const SpreadLight::Ring& ring : light.rings) {
       found += std::sin(ring.altitude.to(rad)) * ring.even;

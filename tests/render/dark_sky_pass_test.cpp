@@ -116,10 +116,10 @@ TEST_F(DarkSkyPassTest, WhatShinesFromBeyondComesThroughTheAir) {
         EXPECT_EQ(frame.pixel(column, row)[1], 0.0F);
         return;
       }
-      const Vec4 wanted = exact_share(*options.air.medium, 0.0 * metre, direction, zodiacal_spectrum(0.5)) *
-                              zodiacal_light(dark, direction) +
-                          exact_share(*options.air.medium, 0.0 * metre, direction, faint_starlight_spectrum()) *
-                              starlight;
+      const Vec4 wanted =
+          exact_share(*options.air.medium, 0.0 * metre, direction, zodiacal_spectrum(0.5)) *
+              zodiacal_light(dark, direction) +
+          exact_share(*options.air.medium, 0.0 * metre, direction, faint_starlight_spectrum()) * starlight;
       for (int channel = 0; channel < 4; ++channel) {
         worst =
             std::max(worst, std::abs(static_cast<double>(frame.pixel(column, row)[channel]) / wanted[channel] - 1.0));
