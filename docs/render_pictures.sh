@@ -42,6 +42,6 @@ picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --si
 echo docs/pictures/zodiacal.png
 dusk dusk --projection perspective --azimuth 285 --altitude 20 --fov 60 --size 1200x600
 # The summer Milky Way over the south, its clouds in Sagittarius, and the winter one.
-milky_way milky_way_summer 2026-07-14T23:30:00Z --size 700x700
-milky_way milky_way_sagittarius 2026-07-14T23:30:00Z --projection perspective --azimuth 183 --altitude 33 --fov 30 --size 700x500
-milky_way milky_way_winter 2026-01-18T22:30:00Z --size 700x700
+milky_way milky_way_summer 2026-07-14T23:30:00Z --size 600x600
+milky_way milky_way_sagittarius 2026-07-14T23:30:00Z --projection perspective --azimuth 183 --altitude 33 --fov 30 --size 600x450 --exposure 2
+milky_way milky_way_winter 2026-01-18T22:30:00Z --size 600x600
