@@ -115,17 +115,18 @@ std::vector<AnchorSample> samples_of(const PictureStrip& strip, PictureWcs& wcs,
 
 AnchoredLaw find_law(PictureSource& picture, PictureWcs wcs, const std::string& file, const PanoramaOptions& options) {
   const PictureReader reader(picture, options);
-  std::array<std::vector<AnchorSample>, 2> samples;
+  AnchorSamples samples;
+  const std::array wanted{&samples.poles, &samples.poles, &samples.anticentre, &samples.sagittarius};
   PictureStrip strip;
   for (int y = 0; y < picture.height(); y += strip_rows) {
     reader.move_to(strip, y, std::min(y + strip_rows, picture.height()));
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto more = samples_of(strip, wcs, direction_of(sky_fields()[i + 2]), options.transform.xyz_from_channels);
-      samples[i].insert(samples[i].end(), more.begin(), more.end());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const auto more = samples_of(strip, wcs, direction_of(sky_fields()[i]), options.transform.xyz_from_channels);
+      wanted.at(i)->insert(wanted.at(i)->end(), more.begin(), more.end());
     }
     options.progress(0);
   }
-  return fit_anchors(samples[1], samples[0], file);
+  return fit_anchors(samples, file);
 }
 
 /// Pixels of rows [first, last) that were cut off become holes. \return their number
@@ -197,18 +198,19 @@ void measure(const Panorama& map, PanoramaReport& report) {
 
 } // namespace
 
-Panorama::Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit, bool uncalibrated)
-    : cube_(std::move(cube)), xyz_from_channels_(cd_m2_per_unit * transform.xyz_from_channels),
-      uncalibrated_(uncalibrated) {
-  if (uncalibrated) {
-    const LightTotal total = total_of(cube_);
-    const Xyzs color = star_color(milky_way_b_v);
-    // A single channel has a colour already: its matrix has no inverse and gains come out as no numbers.
-    const Vec3 wanted = inverse(xyz_from_channels_) * Vec3(color.x, color.y, color.z);
-    const Vec3 gains = wanted / Vec3(total.light[0], total.light[1], total.light[2]);
-    if (std::isfinite(gains.x + gains.y + gains.z) && gains.x > 0.0 && gains.y > 0.0 && gains.z > 0.0) {
-      gains_ = gains;
-    }
+Panorama::Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit)
+    : cube_(std::move(cube)), xyz_from_channels_(cd_m2_per_unit * transform.xyz_from_channels) {}
+
+Panorama::Panorama(CubeSum cube, const ChannelTransform& transform, const AnchoredLaw& law)
+    : Panorama(std::move(cube), transform, law.scale_cd_m2) {
+  law_ = law;
+  const LightTotal total = total_of(cube_);
+  const Xyzs color = star_color(milky_way_b_v);
+  // A single channel has a colour already: its matrix has no inverse and gains come out as no numbers.
+  const Vec3 wanted = inverse(xyz_from_channels_) * Vec3(color.x, color.y, color.z);
+  const Vec3 gains = wanted / Vec3(total.light[0], total.light[1], total.light[2]);
+  if (std::isfinite(gains.x + gains.y + gains.z) && gains.x > 0.0 && gains.y > 0.0 && gains.z > 0.0) {
+    gains_ = gains;
   }
 }
 
@@ -219,16 +221,20 @@ std::array<float, 4> Panorama::texel(std::size_t index) const {
   }
   const Vec3 channels = Vec3(sum.light[0], sum.light[1], sum.light[2]) / static_cast<double>(sum.solid_angle_sr);
   Vec3 xyz = xyz_from_channels_ * channels;
+  const Xyzs color = star_color(milky_way_b_v);
+  const Vec3 mean(color.x, color.y, color.z);
   if (gains_) {
     // Another colour, the same luminance. Pictures for a display have their colours enhanced.
     constexpr double chroma = 0.5;
-    const Xyzs mean = star_color(milky_way_b_v);
     const Vec3 tinted = xyz_from_channels_ * (*gains_ * channels);
-    xyz = tinted.y > 0.0 ? xyz.y * mix(Vec3(mean.x, mean.y, mean.z), tinted / tinted.y, chroma) : Vec3(0.0);
+    xyz = tinted.y > 0.0 ? xyz.y * mix(mean, tinted / tinted.y, chroma) : Vec3(0.0);
+  }
+  if (law_) {
+    xyz += law_->black_cd_m2 * mean;
   }
   std::array<float, 4> light{static_cast<float>(xyz.x), static_cast<float>(xyz.y), static_cast<float>(xyz.z),
                              static_cast<float>(dot(scotopic_of_xyz(), xyz))};
-  if (uncalibrated_) {
+  if (law_) {
     std::transform(light.begin(), light.end(), light.begin(), rounded);
   }
   return light;
@@ -250,7 +256,6 @@ PanoramaProduct make_panorama(PictureSource& picture, const PictureWcs& wcs, con
   if (options.calibration == PanoramaCalibration::anchors) {
     report.anchors = find_law(picture, wcs, file, options);
     reader.set_law(*report.anchors);
-    scale = report.anchors->scale_cd_m2;
   }
   std::optional<PanoramaStars> stars;
   if (options.stars != nullptr) {
@@ -301,8 +306,8 @@ PanoramaProduct make_panorama(PictureSource& picture, const PictureWcs& wcs, con
                  std::pow(steps * options.least_value, report.anchors->exponent));
   }
   report.out = total_of(resampler.cube());
-  Panorama map(std::move(resampler.cube()), options.transform, scale,
-               options.calibration == PanoramaCalibration::anchors);
+  Panorama map = report.anchors ? Panorama(std::move(resampler.cube()), options.transform, *report.anchors)
+                                : Panorama(std::move(resampler.cube()), options.transform, scale);
   measure(map, report);
   return {std::move(map), std::move(report)};
 }

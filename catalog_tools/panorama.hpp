@@ -23,9 +23,10 @@ namespace vesper {
 enum class PanoramaCalibration {
   given,   ///< by PanoramaOptions::cd_m2_per_unit
   stars,   ///< a scale fitted to catalogue stars in the picture
-  anchors, ///< for pictures made for a display: a power law through the published brightness of two fields, and the
-           ///< integrated colour of the Milky Way with half of the picture's contrast of colours around it.
-           ///< Uncalibrated: good for a look, not for measuring
+  anchors, ///< for pictures made for a display: a power law over a black that is not dark, through the published
+           ///< brightness of the Milky Way's poles and of two fields in it, and the integrated colour of the Milky Way
+           ///< with half of the picture's contrast of colours around it. Uncalibrated: good for a look, not for
+           ///< measuring
 };
 
 struct PanoramaOptions {
@@ -75,7 +76,9 @@ struct PanoramaReport {
 /// held once.
 class Panorama {
 public:
-  Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit, bool uncalibrated);
+  Panorama(CubeSum cube, const ChannelTransform& transform, double cd_m2_per_unit);
+  /// Of the sums of a picture whose pixels were raised to the law's exponent.
+  Panorama(CubeSum cube, const ChannelTransform& transform, const AnchoredLaw& law);
 
   [[nodiscard]] int face_size() const { return cube_.face_size; }
   /// X, Y, Z, S in cd/m2 of a texel in the order of cube_texel.
@@ -87,8 +90,8 @@ public:
 private:
   CubeSum cube_;
   Mat3 xyz_from_channels_;
-  bool uncalibrated_;         ///< then numbers are rounded within 0.025 % too
-  std::optional<Vec3> gains_; ///< of channels, that make the map's mean colour that of the Milky Way
+  std::optional<AnchoredLaw> law_; ///< of an uncalibrated map, whose numbers are rounded within 0.025 % too
+  std::optional<Vec3> gains_;      ///< of channels, that make the map's mean colour that of the Milky Way
 };
 
 struct PanoramaProduct {

@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t least_stars = 8;
 
-constexpr std::array<SkyField, 4> fields{{{"north galactic pole", 0.0, 90.0, std::nullopt},
-                                          {"south galactic pole", 0.0, -90.0, std::nullopt},
+constexpr double pole_mag_arcsec2 = 24.09; // 30 S10(V)
+constexpr std::array<SkyField, 4> fields{{{"north galactic pole", 0.0, 90.0, pole_mag_arcsec2},
+                                          {"south galactic pole", 0.0, -90.0, pole_mag_arcsec2},
                                           {"anticentre", 180.0, 0.0, 22.6},
                                           {"Sagittarius", 2.0, -3.5, 20.4}}};
 
@@ -144,36 +145,45 @@ Vec3 direction_of(const SkyField& field) {
   return icrs_from_galactic * Vec3(std::cos(b) * std::cos(l), std::cos(b) * std::sin(l), std::sin(b));
 }
 
-AnchoredLaw fit_anchors(std::span<const AnchorSample> sagittarius, std::span<const AnchorSample> anticentre,
-                        const std::string& file) {
-  const auto mean = [](std::span<const AnchorSample> samples, double exponent) {
+AnchoredLaw fit_anchors(const AnchorSamples& samples, const std::string& file) {
+  const auto mean = [](std::span<const AnchorSample> field, double exponent) {
     double sum = 0.0;
     double solid_angle = 0.0;
-    for (const AnchorSample& sample : samples) {
+    for (const AnchorSample& sample : field) {
       sum += std::pow(std::max(sample.y, 0.0), exponent) * sample.solid_angle_sr;
       solid_angle += sample.solid_angle_sr;
     }
     return solid_angle > 0.0 ? sum / solid_angle : 0.0;
   };
-  const double bright = luminance_of_magnitude(*fields[3].anchor_mag_arcsec2);
-  const double faint = luminance_of_magnitude(*fields[2].anchor_mag_arcsec2);
+  const double least = luminance_of_magnitude(fields[0].anchor_mag_arcsec2);
+  const double faint = luminance_of_magnitude(fields[2].anchor_mag_arcsec2);
+  const double bright = luminance_of_magnitude(fields[3].anchor_mag_arcsec2);
+  // The black and the scale cancel in the ratio of differences, which rises with the exponent.
   const auto excess = [&](double exponent) {
-    return std::log(mean(sagittarius, exponent) / mean(anticentre, exponent)) - std::log(bright / faint);
+    const double dark = mean(samples.poles, exponent);
+    return std::log((mean(samples.sagittarius, exponent) - dark) / (mean(samples.anticentre, exponent) - dark)) -
+           std::log((bright - least) / (faint - least));
   };
   double low = 0.1;
   double high = 5.0;
-  if (!(mean(sagittarius, 1.0) > 0.0 && mean(anticentre, 1.0) > 0.0) || !(excess(low) < 0.0 && excess(high) > 0.0)) {
-    throw Error(ErrorKind::input,
-                fmt::format("the picture cannot be tied to the published brightness of the Milky Way: its values in "
-                            "Sagittarius are {:.3g}, at the anticentre {:.3g}",
-                            mean(sagittarius, 1.0), mean(anticentre, 1.0)),
-                {file, "", "Check --frame and --origin, or give --zero-point"});
-  }
+  const bool bracketed = excess(low) < 0.0 && excess(high) > 0.0; // not where there is no light to compare
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (low + high);
     (excess(middle) < 0.0 ? low : high) = middle;
   }
-  return {bright / mean(sagittarius, low), low};
+  AnchoredLaw law;
+  law.exponent = low;
+  const double dark = mean(samples.poles, low);
+  law.scale_cd_m2 = (bright - least) / (mean(samples.sagittarius, low) - dark);
+  law.black_cd_m2 = least - law.scale_cd_m2 * dark;
+  if (!bracketed || !(law.black_cd_m2 >= 0.0)) {
+    throw Error(ErrorKind::input,
+                fmt::format("the picture cannot be tied to the published brightness of the Milky Way: its values in "
+                            "Sagittarius are {:.3g}, at the anticentre {:.3g}, at the galactic poles {:.3g}",
+                            mean(samples.sagittarius, 1.0), mean(samples.anticentre, 1.0), mean(samples.poles, 1.0)),
+                {file, "", "Check --frame and --origin, or give --zero-point"});
+  }
+  return law;
 }
 
 } // namespace vesper

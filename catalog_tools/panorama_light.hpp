@@ -60,21 +60,24 @@ struct MagnitudeRange {
 struct SkyField {
   const char* name;
   double galactic_longitude_deg, galactic_latitude_deg;
-  std::optional<double> anchor_mag_arcsec2; ///< what the Milky Way adds there, averaged over 5 degrees
+  double anchor_mag_arcsec2; ///< what the Milky Way adds there, averaged over 5 degrees
 };
 
-/// Poles, anticentre and the Sagittarius star clouds. The anchors are the middles of the ranges that the literature
-/// gives for the added light: 20.0 to 20.8 in Sagittarius, 22.2 to 23 at the anticentre, V mag/arcsec2.
+/// Poles, anticentre and the Sagittarius star clouds. The anchors of the latter two are the middles of the ranges that
+/// the literature gives for the added light: 20.0 to 20.8 in Sagittarius, 22.2 to 23 at the anticentre, V mag/arcsec2.
+/// At the poles it is 30 S10(V), what counts of stars give there for those too faint to be seen one by one.
 inline constexpr double field_radius_deg = 2.5;
 [[nodiscard]] std::span<const SkyField> sky_fields();
 /// ICRS direction of a field's middle.
 [[nodiscard]] Vec3 direction_of(const SkyField& field);
 
 /// A law that gives the pixels of a picture that was made for a display luminances that agree with the anchors:
-/// luminance = scale x Y^exponent, with Y by the transform from decoded channels.
+/// luminance = black + scale x Y^exponent, with Y by the transform from decoded channels. Such a picture's black is not
+/// that of the sky: what is as faint as the galactic poles was taken off as background.
 struct AnchoredLaw {
   double scale_cd_m2 = 1.0;
   double exponent = 1.0;
+  double black_cd_m2 = 0.0; ///< >= 0
 };
 
 /// One pixel in an anchored field.
@@ -83,9 +86,16 @@ struct AnchorSample {
   double solid_angle_sr = 0.0;
 };
 
-/// The law under which the mean over each of the two fields is its anchor. Throws Error(input), naming `file`, for a
-/// picture without light there or that no exponent from 0.1 to 5 fits.
-[[nodiscard]] AnchoredLaw fit_anchors(std::span<const AnchorSample> sagittarius,
-                                      std::span<const AnchorSample> anticentre, const std::string& file);
+/// The pixels of the fields of AnchoredLaw.
+struct AnchorSamples {
+  std::vector<AnchorSample> poles; ///< both; without any the picture is taken to be black there
+  std::vector<AnchorSample> anticentre;
+  std::vector<AnchorSample> sagittarius;
+};
+
+/// The law under which the mean over each of the fields is its anchor. Throws Error(input), naming `file`, for a
+/// picture without light in Sagittarius or at the anticentre, or that no exponent from 0.1 to 5 fits, or that has more
+/// light at the poles than that leaves for its black.
+[[nodiscard]] AnchoredLaw fit_anchors(const AnchorSamples& samples, const std::string& file);
 
 } // namespace vesper

@@ -1,9 +1,13 @@
 // The light of the night sky itself, added to what is drawn already. BEYOND draws what shines from behind the air and the
-// Moon: zodiacal light and faint stars. The rest is in the air: airglow, sky glow and all that the air scatters of these.
+// Moon: zodiacal light and, as MILKY_WAY, faint stars, refracted as REFRACTION says. The rest is in the air: airglow, sky
+// glow and all that the air scatters of these.
 #include "prelude.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 #include "lib/refraction.glsl"
+#ifndef REFRACTION
+#define REFRACTION refraction_traced
+#endif
 #ifdef BEYOND
 #include "lib/extinction.glsl"
 #include "lib/sun.glsl"
@@ -22,15 +26,18 @@ layout(location = 4) uniform vec2 strip; // first row and number of rows that th
 #ifdef BEYOND
 layout(binding = 0) uniform sampler2D zodiacal_map;
 layout(binding = 1) uniform sampler2D extinction_table;
+layout(binding = 2) uniform samplerCube milky_way; // ICRS axes, luminance
+layout(binding = 3) uniform sampler1D refraction_table;
 layout(location = 5) uniform mat3 helioecliptic_from_horizon;
-layout(location = 6) uniform mat3 galactic_from_horizon;
+layout(location = 6) uniform mat3 icrs_from_horizon;
 layout(location = 7) uniform float zodiacal_scale;  // 0 for none
 layout(location = 8) uniform vec4 dust_corona;
 layout(location = 9) uniform float sin_sun_radius;
-layout(location = 10) uniform vec4 starlight;       // of 1 S10; 0 for none
+layout(location = 10) uniform vec3 refraction_air; // RefractionFrame: strength, horizon_apparent, horizon_true
 layout(location = 11) uniform ivec2 extinction_size; // StarExtinctionFrame
 layout(location = 12) uniform vec3 extinction_rows;
 layout(location = 13) uniform vec2 extinction_hues;
+layout(location = 14) uniform vec4 refraction_scales; // RefractionFrame: scale_apparent, scale_true
 #else
 layout(binding = 0) uniform sampler2D map; // ordered as that of sky.frag; luminance
 layout(location = 5) uniform vec2 map_rows;
@@ -43,9 +50,26 @@ layout(location = 0) out vec4 luminance;
 vec4 zodiacal_light(vec3 direction) {
   vec2 texels = vec2(textureSize(zodiacal_map, 0));
   vec2 place = (zodiacal_place(direction) * (texels - 1.0) + 0.5) / texels;
-  vec4 all = zodiacal_scale * dust_law(direction) * exp2(textureLod(zodiacal_map, place, 0.0));
+  vec4 all = zodiacal_scale * exp2(log2_dust_law(direction) + textureLod(zodiacal_map, place, 0.0));
   return max(all - dust_in_corona(direction, sin_sun_radius) * dust_corona, vec4(0.0));
 }
+
+#ifdef MILKY_WAY
+// The least width of a texel: pixels that lie as far apart as texels would miss light of some and see others twice.
+const float texel_pixels = 2.0;
+
+// In a direction that is seen.
+vec4 starlight(vec3 direction, float texel_rad) {
+  RefractionFrame frame = RefractionFrame(REFRACTION, refraction_air.x, refraction_air.y, refraction_air.z,
+                                          refraction_scales.xy, refraction_scales.zw);
+  float bend = refraction_bend(dvec3(length(direction.xy), 0.0, direction.z), true, frame, refraction_table);
+  // Lowered along the tangent of its circle through the zenith: within 0.1 arcsec for the bend of any air.
+  vec3 truly = normalize(direction - bend * (vec3(0.0, 0.0, 1.0) - direction.z * direction));
+  vec3 icrs = icrs_from_horizon * truly;
+  float level = cube_level(texel_rad, float(textureSize(milky_way, 0).x));
+  return textureLod(milky_way, opengl_cube_direction(icrs), level);
+}
+#endif
 #endif
 
 void main() {
@@ -57,10 +81,10 @@ void main() {
   }
   vec3 direction = horizon_from_view * view;
 #ifdef BEYOND
-  vec4 light = starlight_s10(galactic_from_horizon * direction) * starlight;
-  if (zodiacal_scale > 0.0) {
-    light += zodiacal_light(helioecliptic_from_horizon * direction);
-  }
+  vec4 light = zodiacal_scale > 0.0 ? zodiacal_light(helioecliptic_from_horizon * direction) : vec4(0.0);
+#ifdef MILKY_WAY
+  light += starlight(direction, texel_pixels * pixel_width(at, frame));
+#endif
   StarExtinctionFrame air = StarExtinctionFrame(extinction_size.x, extinction_size.y, extinction_rows.x,
                                                 extinction_rows.y, extinction_rows.z, extinction_hues.x,
                                                 extinction_hues.y);

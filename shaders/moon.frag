@@ -11,9 +11,6 @@ layout(binding = 2) uniform samplerCube moon_map; // albedo and normal, mean-Ear
 layout(binding = 3) uniform sampler2D eclipse_table;
 #endif
 
-// OpenGL counts a cube's directions left-handed.
-vec3 on_cube(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
-
 int disc_cells(DiscCell pixel) { return meets_disc(pixel) ? cells_for(pixel) : 0; }
 
 vec4 disc_light(DiscCell cell, out float hidden) {
@@ -27,7 +24,7 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   vec2 place = disc_inner(r, width) * outward;
   vec3 on_disc = disc_normal(place, block.disc.sine);
   vec3 normal = moon.fixed_from_disc * on_disc;
-  vec4 surface = textureLod(moon_map, on_cube(normal), moon.map_level);
+  vec4 surface = textureLod(moon_map, opengl_cube_direction(normal), moon.map_level);
   vec3 relief = normalize(surface.yzw);
 #ifdef LAMBERT
   return surface.x / pi * max(dot(relief, moon.lighting.to_sun), 0.0) * moon.lighting.sunlit * hidden;

@@ -196,10 +196,12 @@ std::string calibration_text(const PanoramaOptions& options, const PanoramaRepor
                        magnitude_of_luminance(r.fit->cd_m2_per_unit), r.fit->residual_mag, options.transform.name);
   }
   if (r.anchors) {
-    return fmt::format("uncalibrated: tied to {} mag/arcsec2 in Sagittarius and {} at the anticentre by {:.4e} cd/m2 x "
-                       "Y^{:.3f}, mean colour that of B-V = {}, colours halved; transform {}",
-                       *sky_fields()[3].anchor_mag_arcsec2, *sky_fields()[2].anchor_mag_arcsec2, r.anchors->scale_cd_m2,
-                       r.anchors->exponent, milky_way_b_v, options.transform.name);
+    return fmt::format(
+        "uncalibrated: tied to {} mag/arcsec2 in Sagittarius, {} at the anticentre and {} at the galactic "
+        "poles by {:.4e} cd/m2 x Y^{:.3f} + {:.4e} cd/m2, mean colour that of B-V = {}, colours halved; "
+        "transform {}",
+        sky_fields()[3].anchor_mag_arcsec2, sky_fields()[2].anchor_mag_arcsec2, sky_fields()[0].anchor_mag_arcsec2,
+        r.anchors->scale_cd_m2, r.anchors->exponent, r.anchors->black_cd_m2, milky_way_b_v, options.transform.name);
   }
   return fmt::format("{}: {:.6e} cd/m2 per unit of Y ({:.4f} mag/arcsec2); transform {}",
                      is_luminance_unit(opened.remarks.unit) ? "by BUNIT" : "given", options.cd_m2_per_unit,
@@ -386,7 +388,7 @@ void run_panorama(const PanoramaCommand& command) {
   p.credit = command.credit;
   p.budget = budget_json(product->report, opened.picture->channels()).dump();
   if (product->report.anchors) {
-    spdlog::warn("the map is uncalibrated: its brightness is tied to published figures of two fields");
+    spdlog::warn("the map is uncalibrated: its brightness is tied to published figures of four fields");
   }
   if (!command.dry_run) {
     write_sky_map(command.output, command.face, p, [&](int first_row, std::span<float> xyzs) {

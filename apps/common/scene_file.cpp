@@ -37,7 +37,7 @@ template <class Node> std::string printed(const Node& node) {
 std::optional<std::string> value_text(const toml::node& node, SceneValueKind kind) {
   const bool wants_text = kind == SceneValueKind::text || kind == SceneValueKind::time ||
                           kind == SceneValueKind::list || kind == SceneValueKind::name_or_file ||
-                          kind == SceneValueKind::number_or_text;
+                          kind == SceneValueKind::file || kind == SceneValueKind::number_or_text;
   const bool wants_number = kind == SceneValueKind::number || kind == SceneValueKind::number_or_text;
   if (const auto* text = node.as_string(); text != nullptr && wants_text) {
     return text->get();
@@ -81,6 +81,7 @@ const char* wanted(SceneValueKind kind) {
   case SceneValueKind::list:
     return "a string or an array of strings";
   case SceneValueKind::name_or_file:
+  case SceneValueKind::file:
     return "a string";
   }
   return "";
@@ -127,7 +128,7 @@ GivenOptions read_scene_file(const fs::path& path) {
                        type_name(node)),
            fmt::format("It takes {}", wanted(option->kind)));
     }
-    if (option->kind == SceneValueKind::name_or_file && names_a_file(*text)) {
+    if (option->kind == SceneValueKind::file || (option->kind == SceneValueKind::name_or_file && names_a_file(*text))) {
       text = (path.parent_path() / *text).string();
     }
     given[std::string(name)] = {

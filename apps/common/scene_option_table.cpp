@@ -7,6 +7,7 @@
 #include "vesper/atmosphere/medium_file.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/light/night_light.hpp"
+#include "vesper/sky/milky_way.hpp"
 
 #include <fmt/format.h>
 
@@ -225,6 +226,11 @@ std::string apply_sky(std::string_view text, SceneOptions& scene) {
   return "";
 }
 
+std::string apply_milky_way(std::string_view text, SceneOptions& scene) {
+  scene.dark_sky.milky_way = make_milky_way(read_sky_map(text));
+  return "";
+}
+
 std::string apply_solar_flux(std::string_view text, SceneOptions& scene) {
   const auto value = number_within(text, lowest_solar_flux_sfu, highest_solar_flux_sfu);
   if (!value) {
@@ -343,6 +349,9 @@ constexpr std::array table{
         "How the light of the air is found: tables, solved once for a medium and kept; small-tables, "
         "a cheap way that is good by day; or reference, a Monte Carlo; default tables",
         apply_sky},
+    SceneOptionDescription{"milky-way", Kind::file, "FILE", model,
+                           "Map of the Milky Way (.exr of vesper-catalog panorama) in place of the embedded one",
+                           apply_milky_way},
     SceneOptionDescription{
         "solar-flux", Kind::number, "SFU", model,
         "The Sun at 10.7 cm, which the airglow follows, 60 to 400: about 70 at solar minimum, 200 at "

@@ -16,6 +16,7 @@ enum class SceneValueKind {
   integer,      ///< integer
   list,         ///< comma-separated text or an array of text
   name_or_file, ///< text; a file without an absolute path lies beside the scene file
+  file,         ///< likewise
 };
 
 struct SceneOptionDescription {

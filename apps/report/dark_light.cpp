@@ -74,8 +74,8 @@ DarkLight dark_light(const SkyState& sky, const DarkAir& air, const DarkSkyOptio
       [&](const Vec3& at) { return zodiacal_light(dark, at).y; },
       [&](double sine) { return air.direct.zodiacal_share(sine).y; });
   light.starlight = source_light(
-      air, to_starlight, air.direct.starlight_share(1.0) * faint_starlight(dark, zenith),
-      [&](const Vec3& at) { return faint_starlight(dark, at).y; },
+      air, to_starlight, air.direct.starlight_share(1.0) * faint_starlight(dark, zenith, starlight_field),
+      [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; },
       [&](double sine) { return air.direct.starlight_share(sine).y; });
   const double glow = air.glow_lux > 0.0 ? options.glow.zenith.to(candela_per_m2) : 0.0;
   static const double lamp_sp_ratio = integrate_xyzs(lamp_spectrum()).s / integrate_xyzs(lamp_spectrum()).y;

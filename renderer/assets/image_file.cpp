@@ -176,6 +176,7 @@ ImageRows::~ImageRows() = default;
 int ImageRows::width() const { return input_->file->spec().width; }
 int ImageRows::height() const { return input_->file->spec().height; }
 int ImageRows::channels() const { return input_->file->spec().nchannels; }
+const std::vector<std::string>& ImageRows::channel_names() const { return input_->file->spec().channelnames; }
 bool ImageRows::floating() const { return input_->file->spec().format.is_floating_point(); }
 int ImageRows::alpha_channel() const { return input_->file->spec().alpha_channel; }
 

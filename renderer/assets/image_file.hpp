@@ -86,6 +86,7 @@ public:
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
   [[nodiscard]] int channels() const;
+  [[nodiscard]] const std::vector<std::string>& channel_names() const;
   [[nodiscard]] bool floating() const;     ///< as in FloatImage
   [[nodiscard]] int alpha_channel() const; ///< as in FloatImage
   /// Rows from `first_row` on, row 0 on top, `channels()` floats a pixel. Going back costs a new start in most formats.

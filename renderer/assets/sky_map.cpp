@@ -76,6 +76,17 @@ SkyMap sky_map_of(const FloatImage& image, const std::string& file) {
 
 } // namespace
 
+std::array<double, 4> sky_illuminance(const SkyMap& map) {
+  std::array<double, 4> sum{};
+  for (std::size_t i = 0; i < cube_texel_count(map.face_size); ++i) {
+    const double solid_angle = cube_texel(map.face_size, i).solid_angle_sr;
+    for (std::size_t channel = 0; channel < sum.size(); ++channel) {
+      sum.at(channel) += solid_angle * static_cast<double>(map.texels[sum.size() * i + channel]);
+    }
+  }
+  return sum;
+}
+
 void write_sky_map(const std::filesystem::path& path, int face_size, const SkyMapProvenance& provenance,
                    const std::function<void(int first_row, std::span<float> xyzs)>& fill_rows) {
   require_face_size(face_size, ErrorKind::argument, path.string());

@@ -2,10 +2,11 @@
 //
 // The file is an OpenEXR picture, six faces stacked (shaders/lib/cube_map.glsl), 32-bit channels X, Y, Z, S in cd/m2
 // (CIE 1931 and the scotopic luminance), in ICRS axes, which are the cube's too: X to right ascension 0, declination 0,
-// Y to right ascension 90 degrees, Z to the north pole. The provenance stands in text attributes. For an OpenGL cube
-// texture, whose faces are laid out for left-handed axes, swap the last two faces and look up (x, y, -z).
+// Y to right ascension 90 degrees, Z to the north pole. The provenance stands in text attributes. An OpenGL cube
+// texture is laid out for left-handed axes: opengl_cube_direction in cube_map.glsl.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -39,6 +40,10 @@ struct SkyMap {
   SkyMapProvenance provenance;
 };
 
+/// X, Y, Z and S of all of it together on a surface that faces each part of the sky, lux: the sum of luminance times
+/// solid angle.
+[[nodiscard]] std::array<double, 4> sky_illuminance(const SkyMap& map);
+
 /// Replaces the file whole or not at all; the same map gives the same bytes. Throws Error(argument) for a size out of
 /// range, Error(file).
 ///
@@ -55,7 +60,8 @@ void write_sky_map(const std::filesystem::path& path, const SkyMap& map);
 [[nodiscard]] SkyMap decode_sky_map(std::span<const std::byte> bytes, const std::string& name);
 
 /// The map that is built into the library (data/milky_way.exr, 256 texels a face), decoded at the first call. It is
-/// uncalibrated: two fields have their published brightness, the rest follows a picture that was made to look at.
+/// uncalibrated: the galactic poles and two fields of the Milky Way have their published brightness, the rest follows a
+/// picture that was made to look at.
 [[nodiscard]] const SkyMap& default_sky_map();
 
 } // namespace vesper

@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr std::size_t ring_count = 10;
-constexpr int ring_samples = 24;
+constexpr int ring_samples = 24; // spread_light_width apart on the horizon
 constexpr std::size_t turn_nodes = 6;
 
 /// Rings with the length of altitude that each stands for.

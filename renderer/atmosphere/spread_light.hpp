@@ -26,6 +26,9 @@ struct SpreadLight {
 /// Where in the sky light may come from to reach the air about an observer: altitudes above this.
 [[nodiscard]] Angle lowest_spread_light(const SkyTables& tables, Length height);
 
+/// How far apart the light is looked at: a finer sky is to be averaged over it.
+inline constexpr Angle spread_light_width = 15.0 * deg;
+
 /// \param luminance cd/m2 toward a unit vector (x = East, y = North, z = zenith) of `lowest` altitude or more
 [[nodiscard]] SpreadLight spread_light(Angle lowest, const std::function<double(const Vec3&)>& luminance);
 

@@ -1,8 +1,10 @@
 #include "vesper/gpu/dark_sky_pass.hpp"
 
 #include "vesper/gpu/picture_uniforms.hpp"
+#include "vesper/sky/milky_way.hpp"
 #include "vesper/sky/zodiacal_light.hpp"
 
+#include <algorithm>
 #include <array>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -38,6 +40,18 @@ template <class Texels> Texture smooth_texture(int width, const Texels& texels) 
   return texture;
 }
 
+/// From the first size on that the GPU takes.
+Texture cube_of(const CubePyramid& pyramid) {
+  const int largest = largest_cube_side();
+  const auto fits = [&](const CubePyramid::Level& level) { return level.face_size <= largest; };
+  const auto first = std::find_if(pyramid.levels().begin(), pyramid.levels().end(), fits);
+  Texture texture = make_cube_texture(first->face_size);
+  for (auto level = first; level != pyramid.levels().end(); ++level) {
+    fill_cube_texture(texture, static_cast<int>(level - first), level->face_size, level->texels);
+  }
+  return texture;
+}
+
 } // namespace
 
 DarkSkyPass::DarkSkyPass(const ShaderLibrary& library)
@@ -60,7 +74,12 @@ void DarkSkyPass::prepare(const View& view, const FramePlan& plan) {
 
 void DarkSkyPass::prepare_beyond(const View& view, const FramePlan& plan) {
   const PlannedDarkSky& dark = *plan.dark_sky;
-  beyond_ = &programs_.get({fmt::format("PROJECTION {}", static_cast<int>(view.projection)), "BEYOND"});
+  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view.projection)), "BEYOND"};
+  if (dark.starlight) {
+    defines.emplace_back("MILKY_WAY");
+    defines.push_back(fmt::format("REFRACTION {}", refraction_frame(plan.refraction).kind));
+  }
+  beyond_ = &programs_.get(defines);
   set_picture(*beyond_, view, plan);
   if (!zodiacal_) {
     zodiacal_ = smooth_texture(ZodiacalMap::columns, zodiacal_map().texels);
@@ -68,16 +87,32 @@ void DarkSkyPass::prepare_beyond(const View& view, const FramePlan& plan) {
   extinction_.update(plan.extinction);
   const DarkSky& sources = dark.sources;
   set_matrix(*beyond_, 5, sources.helioecliptic_from_horizon);
-  set_matrix(*beyond_, 6, sources.galactic_from_horizon);
   glProgramUniform1f(beyond_->name(), 7, dark.zodiacal ? static_cast<float>(sources.zodiacal_scale) : 0.0F);
   set_light(*beyond_, 8, sources.dust_corona);
   glProgramUniform1f(beyond_->name(), 9, static_cast<float>(sources.sin_sun_radius));
-  set_light(*beyond_, 10, dark.starlight ? sources.starlight_s10 : Vec4(0.0));
   const f64::StarExtinctionFrame& air = extinction_.frame();
   glProgramUniform2i(beyond_->name(), 11, air.rows, air.columns);
   glProgramUniform3f(beyond_->name(), 12, static_cast<float>(air.sin_horizon), static_cast<float>(air.width),
                      static_cast<float>(air.rows_per_x));
   glProgramUniform2f(beyond_->name(), 13, static_cast<float>(air.reddest), static_cast<float>(air.columns_per_hue));
+  if (dark.starlight) {
+    prepare_milky_way(plan);
+  }
+}
+
+void DarkSkyPass::prepare_milky_way(const FramePlan& plan) {
+  const DarkSky& sources = plan.dark_sky->sources;
+  const auto& milky_way = sources.milky_way != nullptr ? sources.milky_way : default_milky_way();
+  if (milky_way_of_ != milky_way) {
+    milky_way_ = cube_of(*milky_way);
+    milky_way_of_ = milky_way;
+  }
+  set_matrix(*beyond_, 6, sources.icrs_from_horizon);
+  refraction_.update(plan.refraction);
+  const f64::RefractionFrame bend = refraction_frame(plan.refraction);
+  glProgramUniform3f(beyond_->name(), 10, static_cast<float>(bend.strength), static_cast<float>(bend.horizon_apparent),
+                     static_cast<float>(bend.horizon_true));
+  set_light(*beyond_, 14, {bend.scale_apparent, bend.scale_true});
 }
 
 void DarkSkyPass::draw(const ProgramHandle& program, const Strip& strip) {
@@ -96,6 +131,8 @@ void DarkSkyPass::draw_beyond(const Strip& strip) {
   }
   glBindTextureUnit(0, zodiacal_.name());
   extinction_.bind(1);
+  glBindTextureUnit(2, milky_way_.name());
+  refraction_.bind(3);
   draw(*beyond_, strip);
 }
 

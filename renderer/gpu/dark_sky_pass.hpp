@@ -5,6 +5,7 @@
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
+#include "vesper/gpu/refraction_texture.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 
@@ -28,6 +29,7 @@ public:
 
 private:
   void prepare_beyond(const View& view, const FramePlan& plan);
+  void prepare_milky_way(const FramePlan& plan);
   void draw(const ProgramHandle& program, const Strip& strip);
 
   ProgramVariants programs_;
@@ -35,7 +37,10 @@ private:
   const ProgramHandle* beyond_ = nullptr; ///< null where there is nothing of it
   const ProgramHandle* air_ = nullptr;
   ExtinctionTexture extinction_;
+  RefractionTexture refraction_;
   Texture zodiacal_;
+  Texture milky_way_;
+  std::shared_ptr<const CubePyramid> milky_way_of_; ///< what the texture holds
   Texture map_;
 };
 

@@ -84,16 +84,9 @@ MoonBlock block_of(const PlannedMoon& moon) {
   return block;
 }
 
-/// OpenGL lays a cube's faces out as OpenEXR does, but left-handed: with the third axis turned round.
 Texture cube_of(const MoonMap& map) {
-  constexpr std::array<GLint, 6> face_of_opengl{0, 1, 2, 3, 5, 4};
   Texture texture = make_cube_texture(map.face_size);
-  const std::size_t face_floats =
-      std::size_t{4} * static_cast<std::size_t>(map.face_size) * static_cast<std::size_t>(map.face_size);
-  for (std::size_t face = 0; face < face_of_opengl.size(); ++face) {
-    glTextureSubImage3D(texture.name(), 0, 0, 0, face_of_opengl.at(face), map.face_size, map.face_size, 1, GL_RGBA,
-                        GL_FLOAT, &map.texels[face * face_floats]);
-  }
+  fill_cube_texture(texture, 0, map.face_size, map.texels);
   glGenerateTextureMipmap(texture.name());
   require_no_error("copying the Moon's map");
   return texture;

@@ -2,6 +2,7 @@
 
 #include "vesper/base/error.hpp"
 
+#include <array>
 #include <bit>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -113,6 +114,16 @@ Texture make_cube_texture(int side) {
   return texture;
 }
 
+void fill_cube_texture(const Texture& texture, int level, int side, std::span<const float> rgba) {
+  constexpr std::array<GLint, 6> face_of_opengl{0, 1, 2, 3, 5, 4};
+  const std::size_t face_floats = rgba.size() / face_of_opengl.size();
+  for (std::size_t face = 0; face < face_of_opengl.size(); ++face) {
+    glTextureSubImage3D(texture.name(), level, 0, 0, face_of_opengl.at(face), side, side, 1, GL_RGBA, GL_FLOAT,
+                        &rgba[face * face_floats]);
+  }
+  require_no_error("filling a cube texture");
+}
+
 void interpolate(const Texture& texture) {
   glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTextureParameteri(texture.name(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -135,6 +146,12 @@ Framebuffer make_framebuffer(const Texture& color) {
 int largest_texture_side() {
   GLint side = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &side);
+  return side;
+}
+
+int largest_cube_side() {
+  GLint side = 0;
+  glGetIntegerv(GL_MAX_CUBE_MAP_TEXTURE_SIZE, &side);
   return side;
 }
 

@@ -74,12 +74,16 @@ enum class PixelFormat { rgba32f, rgba16, rgba8 };
 /// Six square faces of RGBA texels of 32-bit floats without contents, with room for all mipmaps, to be read between
 /// texels, mipmaps and faces.
 [[nodiscard]] Texture make_cube_texture(int side);
+/// Fills one of its mipmaps: texels in the order of shaders/lib/cube_map.glsl, to be looked up by its
+/// opengl_cube_direction.
+void fill_cube_texture(const Texture& texture, int level, int side, std::span<const float> rgba);
 /// Has texture() interpolate linearly, up to the texels of the edges.
 void interpolate(const Texture& texture);
 [[nodiscard]] Framebuffer make_framebuffer(const Texture& color);
 
 /// Largest width and height of a texture.
 [[nodiscard]] int largest_texture_side();
+[[nodiscard]] int largest_cube_side();
 
 /// Throws Error(gpu) if OpenGL has recorded an error since the last call.
 void require_no_error(const char* where);

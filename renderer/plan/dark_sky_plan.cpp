@@ -181,7 +181,9 @@ std::vector<ScatteredSource> scattered_sources(const PlannedDarkSky& planned, co
   }
   if (planned.starlight) {
     static const Mat4 matrix = response_matrix(sunlight, faint_starlight_spectrum());
-    sources.push_back({spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at).y; }), matrix});
+    sources.push_back(
+        {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; }),
+         matrix});
   }
   return sources;
 }

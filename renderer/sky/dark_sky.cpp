@@ -4,6 +4,7 @@
 #include "vesper/astro/frames.hpp"
 #include "vesper/base/shader_math.hpp"
 #include "vesper/light/night_light.hpp"
+#include "vesper/sky/milky_way.hpp"
 #include "vesper/sky/sun_disc.hpp"
 #include "vesper/sky/zodiacal_light.hpp"
 
@@ -26,19 +27,18 @@ Mat3 helioecliptic_from_horizon(const SkyState& sky) {
 
 DarkSky dark_sky(const SkyState& sky, const DarkSkyOptions& options) {
   static const Vec4 airglow_unit = xyzs_of_s10(airglow_spectrum());
-  static const Vec4 starlight_unit = xyzs_of_s10(faint_starlight_spectrum());
   validate(options.glow);
   const SunDisc sun = sun_disc(sky);
   DarkSky dark;
   dark.helioecliptic_from_horizon = helioecliptic_from_horizon(sky);
-  dark.galactic_from_horizon = galactic_from_icrs() * glm::transpose(sky.stars.horizon_from_icrs);
+  dark.icrs_from_horizon = glm::transpose(sky.stars.horizon_from_icrs);
   dark.zodiacal_scale = std::pow(sky.sun.distance / astronomical_unit, -2.3);
   dark.sin_sun_radius = sun.shading.sin_radius;
   dark.dust_corona = sun.shading.f_corona;
-  dark.starlight_s10 = starlight_unit;
   dark.airglow =
       airglow_s10(options.solar_flux_sfu.value_or(80.0 + 120.0 * solar_activity(sky.instant))) * airglow_unit;
   dark.glow = options.glow;
+  dark.milky_way = options.milky_way;
   return dark;
 }
 
@@ -49,8 +49,11 @@ Vec4 zodiacal_light(const DarkSky& sky, const Vec3& direction) {
                   Vec4(0.0));
 }
 
-Vec4 faint_starlight(const DarkSky& sky, const Vec3& direction) {
-  return f64::starlight_s10(sky.galactic_from_horizon * direction) * sky.starlight_s10;
+Vec4 faint_starlight(const DarkSky& sky, const Vec3& direction, Angle width) {
+  const CubePyramid& map = sky.milky_way != nullptr ? *sky.milky_way : *default_milky_way();
+  constexpr double texels_across = 2.0; // of what is mixed between texels, at half its weight
+  return map.at(sky.icrs_from_horizon * direction,
+                f64::cube_level(width.to(rad) / texels_across, map.levels().front().face_size));
 }
 
 Vec4 airglow_above(const DarkSky& sky, double sin_altitude) {

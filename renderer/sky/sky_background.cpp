@@ -33,7 +33,7 @@ public:
                 response_matrix(sunlight, airglow_spectrum())};
     zodiacal_ = {spread_light(lowest, [&](const Vec3& at) { return zodiacal_light(dark, at).y; }),
                  response_matrix(sunlight, zodiacal_spectrum(0.5))};
-    starlight_ = {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at).y; }),
+    starlight_ = {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; }),
                   response_matrix(sunlight, faint_starlight_spectrum())};
     if (dark.glow.zenith > Luminance()) {
       glow_.emplace(medium, height, dark.glow.distance);
@@ -49,7 +49,8 @@ public:
     };
     sum.airglow = air_.airglow(dark_, sine) + scattered(airglow_);
     sum.zodiacal = air_.zodiacal_share(sine) * zodiacal_light(dark_, direction) + scattered(zodiacal_);
-    sum.starlight = air_.starlight_share(sine) * faint_starlight(dark_, direction) + scattered(starlight_);
+    sum.starlight =
+        air_.starlight_share(sine) * faint_starlight(dark_, direction, starlight_field) + scattered(starlight_);
     if (glow_) {
       sum.sky_glow = glow_zenith_ *
                      (dark_.glow.azimuth ? glow_->toward(sine, azimuth - *dark_.glow.azimuth) : glow_->around(sine));

@@ -93,8 +93,9 @@ Ratios make_ratios() {
     ratios.longitude_deg.at(i) = table.number(i, 0);
     for (std::size_t j = 0; j < latitudes; ++j) {
       const Vec3 place = helioecliptic(ratios.longitude_deg.at(i), latitude_deg.at(j));
-      ratios.log.at(i).at(j) =
-          table.cell(i, j + 1).empty() ? untabulated : std::log(table.number(i, j + 1) / f64::dust_law(place));
+      ratios.log.at(i).at(j) = table.cell(i, j + 1).empty()
+                                   ? untabulated
+                                   : std::log(table.number(i, j + 1)) - std::numbers::ln2 * f64::log2_dust_law(place);
     }
   }
   fill_near_sun(ratios);
@@ -132,8 +133,9 @@ double log_ratio(double longitude, double latitude) {
 }
 
 double log_ratio(const Vec3& direction) {
-  const Vec2 place = f64::zodiacal_place(direction);
-  return log_ratio(180.0 * place.x, 90.0 * place.y);
+  const double longitude = std::atan2(std::abs(direction.y), direction.x);
+  const double latitude = std::atan2(std::abs(direction.z), std::hypot(direction.x, direction.y));
+  return log_ratio((longitude * rad).to(deg), (latitude * rad).to(deg));
 }
 
 /// Of 1e-8 W/(m2 sr um) at 500 nm.
@@ -149,9 +151,9 @@ ZodiacalMap make_zodiacal_map() {
   ZodiacalMap map;
   for (int row = 0; row < ZodiacalMap::rows; ++row) {
     for (int column = 0; column < ZodiacalMap::columns; ++column) {
-      const Vec3 place = helioecliptic(column, row);
-      map.texels.push_back(glm::log2(zodiacal_color(place)) +
-                           Vec4(log_ratio(static_cast<double>(column), static_cast<double>(row)) / std::numbers::ln2));
+      const Vec3 direction = f64::zodiacal_direction({static_cast<double>(column) / (ZodiacalMap::columns - 1),
+                                                      static_cast<double>(row) / (ZodiacalMap::rows - 1)});
+      map.texels.push_back(glm::log2(zodiacal_color(direction)) + Vec4(log_ratio(direction) / std::numbers::ln2));
     }
   }
   return map;
@@ -160,7 +162,7 @@ ZodiacalMap make_zodiacal_map() {
 } // namespace
 
 double zodiacal_radiance_500nm(const Vec3& direction) {
-  return f64::dust_law(direction) * std::exp(log_ratio(direction));
+  return std::exp2(f64::log2_dust_law(direction)) * std::exp(log_ratio(direction));
 }
 
 Vec4 zodiacal_luminance(const Vec3& direction) {

@@ -49,3 +49,12 @@ FN int cube_face(PVec3 direction, int rank) {
 FN PVec3 cube_direction(int face, PVec2 place) {
   return cube_face_axes(face) * PVec3(place.x, place.y, PReal(1.0));
 }
+
+// OpenGL lays a cube's faces out as above, but left-handed: the direction in which it finds one of right-handed axes, in a
+// texture whose last two faces are exchanged.
+FN vec3 opengl_cube_direction(vec3 direction) { return vec3(direction.x, direction.y, -direction.z); }
+
+// How many times a map of n texels along a face's side is to be halved until its texels are on the average (by the root
+// of their solid angle) as wide as `width_rad`; less than 0 where the map itself is coarser. It does not tell apart where
+// on a face they lie, 0.6 to 1.4 of that wide: light would be lost and won from one size to the next.
+FN Real cube_level(Real width_rad, Real n) { return log2(n * width_rad / Real(1.4472025)); } // sqrt(4 pi / 6)

@@ -159,3 +159,23 @@ FN Real pixels_per_steradian(vec2 pixel, PixelFrame frame) {
   Real t = Real(1.0) + dot(plane, plane);
   return frame.focal * frame.focal * t * sqrt(t);
 }
+
+// Width on the sky of the pixel with the given centre, rad: along its longer side where the projection stretches it.
+FN Real pixel_width(vec2 pixel, PixelFrame frame) {
+  vec2 offset = pixel - Real(0.5) * frame.size;
+  if (frame.kind == projection_fisheye) {
+    return Real(1.0) / frame.focal;
+  }
+  if (frame.kind == projection_stereographic) {
+    vec2 plane = offset / (Real(2.0) * frame.focal);
+    return Real(1.0) / (frame.focal * (Real(1.0) + dot(plane, plane)));
+  }
+  if (frame.kind == projection_equirectangular) {
+    Real across = Real(2.0) * cos(pi * offset.y / frame.size.y) / frame.size.x;
+    return pi * max(Real(1.0) / frame.size.y, across);
+  }
+  if (frame.kind == projection_cubemap) {
+    offset.y = pixel.y - floor(pixel.y / frame.size.x) * frame.size.x - frame.focal;
+  }
+  return inversesqrt(frame.focal * frame.focal + dot(offset, offset));
+}

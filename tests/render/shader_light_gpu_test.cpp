@@ -30,11 +30,11 @@ TEST_F(ShaderLightGpu, EachFunctionAgreesWithItsTwin) {
        {1, 400, 0, 0},
        81,
        1.0e-3F},
-      {"zodiacal light and faint stars",
-       "vec4(zodiacal_place(normalize(v.xyz)), log2(dust_law(normalize(v.xyz))), starlight_s10(normalize(v.xyz)))",
+      {"zodiacal light and the Milky Way's level",
+       "vec4(zodiacal_place(normalize(v.xyz)), log2_dust_law(normalize(v.xyz)), cube_level(exp2(v.x), 256.0))",
        [](const glm::vec4& v) {
          const glm::vec3 at = glm::normalize(glm::vec3(v));
-         return glm::vec4(f32::zodiacal_place(at), std::log2(f32::dust_law(at)), f32::starlight_s10(at));
+         return glm::vec4(f32::zodiacal_place(at), f32::log2_dust_law(at), f32::cube_level(std::exp2(v.x), 256.0F));
        },
        {-1, -0.9F, -0.8F, 0},
        {1, 1, 1, 0},

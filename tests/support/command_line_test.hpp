@@ -40,12 +40,17 @@ protected:
 
   /// Runs the program in its folder with these arguments, after `before` in the same shell.
   [[nodiscard]] CommandResult run(const std::string& arguments, const std::string& before = ":") const {
+    return run_with(command_, arguments, before);
+  }
+  /// The same with another command.
+  [[nodiscard]] CommandResult run_with(const std::string& command, const std::string& arguments,
+                                       const std::string& before = ":") const {
     // What it prints is kept outside of the folder, so that a test can look at all that was written there.
     const std::string out = folder().string() + ".out";
     const std::string err = folder().string() + ".err";
     const std::string line = "cd '" + folder().string() +
                              "' && export XDG_CONFIG_HOME=\"$PWD\" XDG_CACHE_HOME='" VESPER_BIN "/../cache' && (" +
-                             before + " && exec " + program_ + " " + command_ + " " + arguments + ") >'" + out +
+                             before + " && exec " + program_ + " " + command + " " + arguments + ") >'" + out +
                              "' 2>'" + err + "'";
     const int status = std::system(line.c_str()); // NOLINT(cert-env33-c,concurrency-mt-unsafe)
     CommandResult result{WIFEXITED(status) ? WEXITSTATUS(status) : -1, text(out), text(err)};

@@ -28,6 +28,9 @@ class PanoramaCli : public test::CommandLineTest {
 protected:
   PanoramaCli() : CommandLineTest("vesper-catalog", "panorama") {}
 
+  /// info and check, without the command of the others.
+  [[nodiscard]] CommandResult inspect(const std::string& arguments) const { return run_with("", arguments); }
+
   static FitsContent sky(const std::string& more = card("BUNIT", "cd/m2")) {
     FitsContent content{
         72, 36, 1, FLOAT_IMG, 0, false, SkyHeader{"CAR", "GLON", "GLAT", 72, 36, 5.0, 0.0, 0.0, more}.cards(), {}};
@@ -53,6 +56,31 @@ TEST_F(PanoramaCli, AConstantSkyInCandelas) {
   for (std::size_t i = 1; i < map.texels.size(); i += 4) {
     ASSERT_NEAR(map.texels[i], 0.25F, 1e-6F);
   }
+}
+
+TEST_F(PanoramaCli, MapsAreInspected) {
+  write_fits("in.fits", sky());
+  ASSERT_EQ(run("in.fits -o out.exr --face 16 --credit ours").status, 0);
+  const auto info = nlohmann::json::parse(inspect("info out.exr --json").out);
+  EXPECT_EQ(info["face_size"], 16);
+  EXPECT_EQ(info["credit"], "ours");
+  EXPECT_EQ(info["calibrated"], true);
+  EXPECT_NEAR(info["mean_luminance_cd_m2"].get<double>(), 0.25, 1e-3);
+  EXPECT_NEAR(info["budget"]["out"]["area_deg2"].get<double>(), 41252.96, 0.01);
+  EXPECT_NE(inspect("check out.exr").out.find("valid, a map of the sky, 6 faces of 16 x 16"), std::string::npos);
+  SkyMap map = read_sky_map(path("out.exr"));
+  map.texels[5] *= 2.0F;
+  write_sky_map(path("changed.exr"), map);
+  const CommandResult changed = inspect("check changed.exr --json");
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_EQ(nlohmann::json::parse(changed.out)["valid"], false);
+  EXPECT_NE(changed.err.find("changed.exr: budget, out_xyzs_lux: holds"), std::string::npos) << changed.err;
+  map.provenance.budget = "{}";
+  map.texels[1] = -1.0F;
+  write_sky_map(path("bare.exr"), map);
+  EXPECT_NE(inspect("check bare.exr").out.find(", 1 texels below zero"), std::string::npos);
+  write("cut.exr", text("out.exr").substr(0, text("out.exr").size() / 2));
+  EXPECT_EQ(inspect("check cut.exr").status, 1);
 }
 
 TEST_F(PanoramaCli, SameInputSameBytes) {

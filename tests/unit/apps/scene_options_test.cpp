@@ -5,6 +5,8 @@
 
 #include "support/folder_test.hpp"
 
+#include "vesper/assets/image_file.hpp"
+#include "vesper/assets/sky_map.hpp"
 #include "vesper/base/error.hpp"
 
 #include <gtest/gtest.h>
@@ -32,6 +34,10 @@ protected:
     std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
     app.parse(std::move(arguments));
     return options.resolve(Assumptions::silent);
+  }
+
+  static SkyMap even_sky() {
+    return {16, std::vector<float>(4UL * 6UL * 16UL * 16UL, 0.5F), {"a", "b", "c", "d", "e", "f", "g", "{}"}};
   }
 
   static std::string error_of(const std::vector<std::string>& arguments) {
@@ -189,7 +195,7 @@ TEST_F(SceneOptionsTest, AMediumsFileLiesBesideTheSceneFile) {
       0.75);
 }
 
-TEST_F(SceneOptionsTest, FaultsOfAMediumsFileAreNoFaultsOfTheOption) {
+TEST_F(SceneOptionsTest, FaultsOfAFileAreNoFaultsOfTheOption) {
   const auto kind_of = [](const std::vector<std::string>& arguments) {
     try {
       (void)resolve(arguments);
@@ -200,6 +206,10 @@ TEST_F(SceneOptionsTest, FaultsOfAMediumsFileAreNoFaultsOfTheOption) {
   };
   EXPECT_EQ(kind_of({"--medium", path("none.toml")}), ErrorKind::file);
   EXPECT_EQ(kind_of({"--medium", write("bad.toml", "base = \"clear\"\nozone = 300\n")}), ErrorKind::input);
+  EXPECT_EQ(kind_of({"--milky-way", path("none.exr")}), ErrorKind::file);
+  EXPECT_EQ(kind_of({"--milky-way", write("text.exr", "no picture")}), ErrorKind::file);
+  write_exr(path("frame.exr"), 16, 16, std::vector<float>(4UL * 16UL * 16UL), {});
+  EXPECT_EQ(kind_of({"--milky-way", path("frame.exr")}), ErrorKind::input);
   // What the command line overrides is not looked at.
   EXPECT_NO_THROW((void)resolve({"--scene", write("s.toml", "medium = \"bad.toml\"\n"), "--medium", "clear"}));
 }
@@ -237,6 +247,7 @@ TEST_F(SceneOptionsTest, SkyGlowIsGivenAsPeopleGiveIt) {
 }
 
 TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
+  write_sky_map(path("map.exr"), even_sky());
   std::string text;
   for (const SceneOptionDescription& option : scene_option_table()) {
     text += std::string(option.name) + " = " +
@@ -253,6 +264,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "danjon"       ? "3"
              : option.name == "field-factor" ? "2"
              : option.name == "sky-glow"     ? "0.007"
+             : option.name == "milky-way"    ? "\"map.exr\""
                                              : "7") +
             "\n";
   }
@@ -263,6 +275,8 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
   EXPECT_EQ(scene.seed, 7U);
   EXPECT_EQ(scene.medium_name, "published");
   EXPECT_EQ(scene.dark_sky.solar_flux_sfu, 107.0);
+  ASSERT_TRUE(scene.dark_sky.milky_way);
+  EXPECT_EQ(scene.dark_sky.milky_way->levels().front().face_size, 16);
   EXPECT_EQ(scene.dark_sky.glow.zenith, 0.007 * candela_per_m2);
   EXPECT_EQ(scene.dark_sky.glow.azimuth, 7.0 * deg);
   EXPECT_EQ(scene.dark_sky.glow.distance, 7.0 * kilometre);

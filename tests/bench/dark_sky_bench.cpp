@@ -1,0 +1,71 @@
+// Cost of the dark sky's two draws, beside the sky pass's: both in one run and frame by frame in turn.
+#include "vesper/atmosphere/medium_presets.hpp"
+#include "vesper/atmosphere/sky_tables.hpp"
+#include "vesper/gpu/headless_context.hpp"
+#include "vesper/gpu/renderer.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vesper {
+namespace {
+
+double pass_ms_of(const gpu::Frame& frame, const char* pass) {
+  for (const gpu::PassTiming& timing : frame.timings) {
+    if (timing.name == pass) {
+      return timing.milliseconds;
+    }
+  }
+  return 0.0;
+}
+
+double median_of(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2];
+}
+
+void dark_sky_pass(benchmark::State& state, Projection projection, double fov_deg) {
+  const gpu::HeadlessContext context;
+  const gpu::ShaderLibrary shaders;
+  gpu::Renderer renderer(shaders);
+  View view;
+  view.projection = projection;
+  view.altitude = 30.0 * deg;
+  view.fov = fov_deg * deg;
+  view.width = view.height = 768;
+  FrameOptions options;
+  options.air.sky_tables = std::make_shared<const SkyTables>(make_sky_tables(clear_medium(), {2, 2, 2, 2}));
+  // A crescent in a moonlit sky, so that there is a sky pass to compare with.
+  const SkyState sky = sky_state(parse_instant("2026-08-16T19:30:00Z"), {28.3 * deg, -16.5 * deg, 2400.0 * metre});
+  const FramePlan plan = plan_frame(sky, view, {}, options);
+  const auto draw = [&] { return renderer.render(sky, view, plan, {.xyzs = false, .timings = true}); };
+  static_cast<void>(draw()); // compiles the programs
+  std::vector<double> beyond;
+  std::vector<double> air;
+  std::vector<double> day;
+  std::vector<double> ratio;
+  for (auto _ : state) {
+    const gpu::Frame frame = draw();
+    beyond.push_back(pass_ms_of(frame, "zodiacal"));
+    air.push_back(pass_ms_of(frame, "airglow"));
+    day.push_back(pass_ms_of(frame, "sky"));
+    ratio.push_back((beyond.back() + air.back()) / day.back());
+  }
+  state.SetLabel(context.description());
+  state.counters["beyond_ms"] = median_of(beyond);
+  state.counters["air_ms"] = median_of(air);
+  state.counters["sky_ms"] = median_of(day);
+  state.counters["ratio"] = median_of(ratio);
+}
+
+BENCHMARK_CAPTURE(dark_sky_pass, whole_sky, Projection::fisheye, 180.0)->Iterations(25);
+BENCHMARK_CAPTURE(dark_sky_pass, thirty_degrees, Projection::perspective, 30.0)->Iterations(25);
+
+} // namespace
+} // namespace vesper
+
+BENCHMARK_MAIN();
