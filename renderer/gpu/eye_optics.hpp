@@ -28,7 +28,7 @@ struct EyeOpticsSettings {
   /// Angles as the viewer sees them over angles in the scene: 1 for the naked eye, more for a picture (or a telescope)
   /// that shows the scene larger; > 0.
   double magnification = 1.0;
-  std::vector<UnseenSource> unseen;
+  std::vector<UnseenSource> unseen = {};
 };
 
 /// Reads a picture and holds what the eye makes of it:
