@@ -18,6 +18,11 @@ layout(std140, binding = 0) uniform EyeBlock {
 
 const float block_side = 4.0;
 
+// Standard deviation of what a level draws, in its texels: a quadratic B-spline spreads the light (variance 1/4), weights
+// of 1/6, 4/6, 1/6 smooth it twice (1/3 each), and linear interpolation from level to level ends in another B-spline (1/4).
+// The fourth cumulant of those weights is 0, which keeps the whole round.
+const float level_sigma = sqrt(7.0 / 6.0);
+
 EyeScatter eye_scatter_here() {
   EyeScatter scatter;
   scatter.narrow = eye.optics.x;

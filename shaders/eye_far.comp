@@ -35,7 +35,7 @@ void main() {
   float spread = 0.0;
   float finest = 0.0;
   for (int level = eye.cell_level; level >= 0; --level) {
-    finest = eye_octave_light(eye_level_sigma * texel_side(level) * scale, soft, scatter);
+    finest = eye_octave_light(level_sigma * texel_side(level) * scale, soft, scatter);
     spread += finest;
   }
   imageStore(near_shares, texel, vec4(max(near_light - spread, 0.0), finest, 0.0, 0.0));

@@ -53,7 +53,7 @@ void main() {
   if (eye.glare != 0) {
     vec2 near_share = textureLod(near_shares, place, 0.0).xy;
     kept = near_share.x;
-    sum = near_share.y * smooth_spread(texel, 0) + coarser_veil(place, 0);
+    sum = near_share.y * smooth_spread(place, 0) + coarser_veil(place, 0);
   }
   float pooled = 0.0;
   if (eye.acuity != 0) {

@@ -13,15 +13,16 @@ layout(location = 0) uniform int level;
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 size = level_size(level);
-  if (any(greaterThanEqual(texel, size))) {
+  if (any(greaterThanEqual(texel, imageSize(spread)))) {
     return;
   }
+  ivec2 size = level_size(level);
+  ivec2 node = min(texel, size - 1);
   vec4 sum = vec4(0.0);
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       vec2 mirror;
-      ivec2 from = in_picture(texel + ivec2(x, y), size, mirror);
+      ivec2 from = in_picture(node + ivec2(x, y), size, mirror);
       vec2 away = vec2(x, y) + mirror * texelFetch(centre, from, level).xy;
       sum += b_spline(away.x) * b_spline(away.y) * texelFetch(light, from, level);
     }

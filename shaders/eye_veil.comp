@@ -18,7 +18,7 @@ void main() {
   }
   vec2 place = (vec2(texel) + 0.5) / vec2(size);
   vec2 pixel = min((vec2(texel) + 0.5) * texel_side(level), eye.size);
-  float share = eye_octave_light(eye_level_sigma * texel_side(level) * degrees_per_pixel(pixel), softness(pixel),
+  float share = eye_octave_light(level_sigma * texel_side(level) * degrees_per_pixel(pixel), softness(pixel),
                                  eye_scatter_here());
-  imageStore(next_veil, texel, share * smooth_spread(texel, level) + coarser_veil(place, level));
+  imageStore(next_veil, texel, share * smooth_spread(place, level) + coarser_veil(place, level));
 }

@@ -213,8 +213,8 @@ void EyeOptics::see(const Texture& frame, const Texture* points, const View& vie
     glNamedBufferSubData(levels.lights.name(), static_cast<GLintptr>(first),
                          static_cast<GLsizeiptr>(unseen.size() * sizeof(EyeLight)), unseen.data());
   }
-  const std::array<const Texture*, 5> interpolated{&levels.veil, &levels.far_veil, &levels.near_shares, &added_,
-                                                   &shares_};
+  const std::array<const Texture*, 6> interpolated{&levels.spread,      &levels.veil, &levels.far_veil,
+                                                   &levels.near_shares, &added_,      &shares_};
   for (const Texture* texture : interpolated) {
     set_wrap(*texture, wraps);
   }
