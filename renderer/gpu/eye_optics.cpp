@@ -170,7 +170,7 @@ EyeOptics::~EyeOptics() = default;
 
 void EyeOptics::see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings) {
   validate(view, settings);
-  const bool has_points = points != nullptr;
+  const bool has_points = points != nullptr && settings.acuity;
   if (!pyramid_ || pyramid_->width != view.width || pyramid_->height != view.height ||
       pyramid_->unseen != settings.unseen.size() || pyramid_->points != has_points) {
     pyramid_.reset();

@@ -39,11 +39,11 @@ struct EyeOpticsSettings {
 /// Both textures have a texel for 4 x 4 pixels, cover the picture and some more, and are read between texels at
 /// pixel / (4 * size of the texture), pixel centres at +0.5.
 ///
-/// Glare is the CIE's total function (shaders/lib/eye_glare.glsl), divided by its integral over the sphere: what the eye
-/// scatters is missing where it came from, and light scattered out of the picture is lost. Angles are those of the scene.
-/// Near a source, within about a cell (1/24 of the picture), the veil is round in the picture: where a projection
-/// stretches angles, it does so there too. Past the picture the sphere is taken to be as bright as the picture's darkest
-/// cell. What is scattered by less than four pixels stays where it is.
+/// Glare is the CIE's total function (shaders/lib/eye_glare.glsl), divided by its integral over the sphere: what the
+/// eye scatters is missing where it came from, and light scattered out of the picture is lost. Angles are those of the
+/// scene. Near a source, within about a cell (1/24 of the picture), the veil is round in the picture: where a
+/// projection stretches angles, it does so there too. Past the picture the sphere is taken to be as bright as the
+/// picture's darkest cell. What is scattered by less than four pixels stays where it is.
 class EyeOptics {
 public:
   /// The library must outlive this.

@@ -142,10 +142,6 @@ FN Real eye_degrees_per_pixel(vec2 pixel, PixelFrame frame) {
   return degree * inversesqrt(pixels_per_steradian(pixel, frame));
 }
 
-// Standard deviation of what a level of the pyramid draws, in its texels: spread by a quadratic B-spline (variance 1/4),
-// binomial weights (1/2), and linear interpolation level by level (3/16 each, a quarter of it from level to level).
-CONSTANT Real eye_level_sigma = Real(1.0);
-
 // Quadratic B-spline: its piecewise parabolas sum to 1 over whole steps and keep the centre of what they spread.
 FN Real b_spline(Real x) {
   Real d = abs(x);

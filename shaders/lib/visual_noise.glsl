@@ -7,9 +7,9 @@
 
 CONSTANT Real grain_deg = Real(0.2);     // across a grain of the lattice
 CONSTANT Real grain_seconds = Real(0.1); // rods sum light over this time (Barlow 1958)
-// Root of the power of the lattice's noise at low frequencies over that of white noise in squares of its cells:
-// (integral of a node's weight along an axis) = sqrt(2) asinh(1), for lattices along the picture.
-CONSTANT Real grain_power = Real(1.2465);
+// Low frequencies of the lattice's noise over those of independent values in squares of its cells: the integral of a
+// node's weight over the picture, (sqrt(2) asinh(1))^2 where two axes of the lattice lie in it.
+CONSTANT Real grain_power = Real(1.5537);
 
 // Uniform, mean 0, variance 1.
 FN Real grain_value(uint key) { return Real(3.4641016151377544) * (hash_unit(key) - Real(0.5)); }

