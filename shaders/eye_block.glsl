@@ -56,15 +56,9 @@ float softness(vec2 pixel) { return texel_side(eye.cell_level) * degrees_per_pix
 
 // The texel that stands for one past the edge: across the seam, or mirrored; `mirror` is -1 along axes where it is.
 ivec2 in_picture(ivec2 texel, ivec2 size, out vec2 mirror) {
-  mirror = vec2(1.0);
-  if (eye.wraps != 0) {
-    texel.x = (texel.x + size.x) % size.x;
-  }
-  for (int axis = 0; axis < 2; ++axis) {
-    if (texel[axis] < 0 || texel[axis] >= size[axis]) {
-      texel[axis] = clamp(texel[axis] < 0 ? -1 - texel[axis] : 2 * size[axis] - 1 - texel[axis], 0, size[axis] - 1);
-      mirror[axis] = -1.0;
-    }
-  }
-  return texel;
+  // Once round; a remainder would cost more than all the rest.
+  texel.x += eye.wraps == 0 ? 0 : texel.x < 0 ? size.x : texel.x >= size.x ? -size.x : 0;
+  ivec2 inside = clamp(texel, -1 - texel, 2 * size - 1 - texel);
+  mirror = vec2(1.0) - 2.0 * vec2(notEqual(inside, texel));
+  return clamp(inside, ivec2(0), size - 1);
 }

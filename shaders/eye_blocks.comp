@@ -25,13 +25,16 @@ void main() {
   vec4 sum = vec4(0.0);
   vec4 of_points = vec4(0.0);
   vec2 moment = vec2(0.0);
-  for (int y = 0; y < count.y; ++y) {
-    for (int x = 0; x < count.x; ++x) {
-      vec4 here = texelFetch(frame, first + ivec2(x, y), 0);
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      ivec2 pixel = first + ivec2(x, y);
+      float part = x < count.x && y < count.y ? 1.0 : 0.0;
+      pixel = min(pixel, ivec2(eye.size) - 1);
+      vec4 here = part * texelFetch(frame, pixel, 0);
       sum += here;
       moment += max(here.y, 0.0) * vec2(x, y);
 #ifdef POINTS
-      of_points += texelFetch(points, first + ivec2(x, y), 0);
+      of_points += part * texelFetch(points, pixel, 0);
 #endif
     }
   }

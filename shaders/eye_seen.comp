@@ -63,20 +63,15 @@ void main() {
     float luminance = kept * texelFetch(extended, around, field).y + sum.y;
     float variance = eye_pooling_variance_deg2(acuity_cycles_per_degree(luminance), acuity_cycles_per_degree(by_day_cd_m2)) /
                      (scale * scale);
-    float finest = level_variance(0);
-    if (variance <= finest) {
-      pooled = variance / finest;
-      sum += kept * pooled * level_light(pixel, 0);
-    } else {
-      pooled = 1.0;
-      int level = 0;
-      while (level < eye.cell_level - 1 && level_variance(level + 1) < variance) {
-        ++level;
-      }
-      float low = level_variance(level);
-      float coarser = clamp((variance - low) / (level_variance(level + 1) - low), 0.0, 1.0);
-      sum += kept * mix(level_light(pixel, level), level_light(pixel, level + 1), coarser);
+    // Two levels around it, or the sharp picture and the finest level.
+    int level = 0;
+    while (level < eye.cell_level - 1 && level_variance(level + 1) < variance) {
+      ++level;
     }
+    float low = level_variance(level);
+    float coarser = clamp((variance - low) / (level_variance(level + 1) - low), 0.0, 1.0);
+    pooled = min(variance / low, 1.0);
+    sum += kept * pooled * mix(level_light(pixel, level), level_light(pixel, level + 1), coarser);
   }
   imageStore(added, texel, sum);
   imageStore(shares, texel, vec4(kept * (1.0 - pooled), kept, 0.0, 0.0));
