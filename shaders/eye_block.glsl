@@ -17,6 +17,7 @@ layout(std140, binding = 0) uniform EyeBlock {
 } eye;
 
 const float block_side = 4.0;
+const int finest_veil = 1; // level from which on light is scattered: 8 x 8 pixels
 
 // Standard deviation of what a level draws, in its texels: a quadratic B-spline spreads the light (variance 1/4), weights
 // of 1/6, 4/6, 1/6 smooth it twice (1/3 each), and linear interpolation from level to level ends in another B-spline (1/4).

@@ -9,7 +9,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba32f) uniform writeonly image2D far_veil;
-layout(binding = 1, rg32f) uniform writeonly image2D near_shares; // kept in place; spread by level 0
+layout(binding = 1, rg32f) uniform writeonly image2D near_shares; // x: kept in place
 
 void main() {
   ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
@@ -33,10 +33,8 @@ void main() {
   }
   imageStore(far_veil, texel, squared_magnification * sum + (1.0 - near_light) * beyond);
   float spread = 0.0;
-  float finest = 0.0;
-  for (int level = eye.cell_level; level >= 0; --level) {
-    finest = eye_octave_light(level_sigma * texel_side(level) * scale, soft, scatter);
-    spread += finest;
+  for (int level = eye.cell_level; level >= finest_veil; --level) {
+    spread += eye_octave_light(level_sigma * texel_side(level) * scale, soft, scatter);
   }
-  imageStore(near_shares, texel, vec4(max(near_light - spread, 0.0), finest, 0.0, 0.0));
+  imageStore(near_shares, texel, vec4(max(near_light - spread, 0.0), 0.0, 0.0, 0.0));
 }

@@ -7,9 +7,9 @@
 #include "lib/vision.glsl"
 #include "lib/eye_glare.glsl"
 #include "eye_block.glsl"
-#include "eye_veil.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 1) uniform sampler2D veil;
 layout(binding = 3) uniform sampler2D near_shares;
 layout(binding = 4) uniform sampler2D extended;
 layout(binding = 0, rgba32f) uniform writeonly image2D added;
@@ -51,9 +51,8 @@ void main() {
   vec4 sum = vec4(0.0);
   float kept = 1.0;
   if (eye.glare != 0) {
-    vec2 near_share = textureLod(near_shares, place, 0.0).xy;
-    kept = near_share.x;
-    sum = near_share.y * smooth_spread(place, 0) + coarser_veil(place, 0);
+    kept = textureLod(near_shares, place, 0.0).x;
+    sum = textureLod(veil, place, float(finest_veil));
   }
   float pooled = 0.0;
   if (eye.acuity != 0) {

@@ -17,6 +17,7 @@ namespace vesper::gpu {
 namespace {
 
 constexpr int block_side = 4;    ///< pixels: shaders/eye_block.glsl
+constexpr int finest_veil = 1;   ///< level: likewise
 constexpr int most_cells = 576;  ///< each is a light to every texel of the far veil
 constexpr int group = 8;         ///< of most stages, along both axes
 constexpr int group_of_row = 64; ///< of eye_cells.comp
@@ -146,7 +147,7 @@ struct EyeOptics::Pyramid {
   int height;
   std::size_t unseen;
   bool points;
-  int cell_level = 1;
+  int cell_level = finest_veil + 1;
   int columns = 0; ///< of cells
   int rows = 0;
   Texture light;
@@ -260,7 +261,7 @@ void EyeOptics::see(const Texture& frame, const Texture* points, const View& vie
 
 void EyeOptics::scatter() {
   const Pyramid& levels = *pyramid_;
-  for (int level = 0; level <= levels.cell_level; ++level) {
+  for (int level = finest_veil; level <= levels.cell_level; ++level) {
     glProgramUniform1i(spread_.name(), 0, level);
     write_to(0, levels.spread, level, GL_RGBA32F);
     run(spread_, levels.across(level), levels.down(level));
@@ -273,7 +274,7 @@ void EyeOptics::scatter() {
   glBindTextureUnit(0, levels.spread.name());
   glBindTextureUnit(1, levels.veil.name());
   glBindTextureUnit(2, levels.far_veil.name());
-  for (int level = levels.cell_level; level > 0; --level) {
+  for (int level = levels.cell_level; level >= finest_veil; --level) {
     glProgramUniform1i(veil_.name(), 0, level);
     write_to(0, levels.veil, level, GL_RGBA32F);
     run(veil_, levels.across(level), levels.down(level));

@@ -43,7 +43,7 @@ struct EyeOpticsSettings {
 /// eye scatters is missing where it came from, and light scattered out of the picture is lost. Angles are those of the
 /// scene. Near a source, within about a cell (1/24 of the picture), the veil is round in the picture: where a
 /// projection stretches angles, it does so there too. Past the picture the sphere is taken to be as bright as the
-/// picture's darkest cell. What is scattered by less than four pixels stays where it is.
+/// picture's darkest cell. What is scattered by less than about eight pixels stays where it is.
 class EyeOptics {
 public:
   /// The library must outlive this.
