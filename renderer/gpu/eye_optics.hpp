@@ -44,6 +44,7 @@ struct EyeOpticsSettings {
 /// scene. Near a source, within about a cell (1/24 of the picture), the veil is round in the picture: where a
 /// projection stretches angles, it does so there too. Past the picture the sphere is taken to be as bright as the
 /// picture's darkest cell. What is scattered by less than about eight pixels stays where it is.
+/// Outside a fisheye's circle added() is not zero: there is no picture there.
 class EyeOptics {
 public:
   /// The library must outlive this.

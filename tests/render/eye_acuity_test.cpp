@@ -46,7 +46,7 @@ TEST_F(EyeAcuity, DarknessBlursAGratingAsAGaussianDoes) {
       int count = 0;
       for (int row = 100; row < 233; ++row) {
         for (int column = 128; column < 384; ++column) {
-          const double light = static_cast<double>(seen.at(column, row).y);
+          const auto light = static_cast<double>(seen.at(column, row).y);
           left += 2.0 * light * std::cos(2.0 * std::numbers::pi * (column + 0.5) / period);
           mean += light;
           ++count;

@@ -49,7 +49,10 @@ double variance_of_patches(const std::vector<double>& picture, int side, int squ
     double mean = 0.0;
     for (int y = 0; y < patch; ++y) {
       for (int x = 0; x < patch; ++x) {
-        mean += picture[static_cast<std::size_t>((i / squares * patch + y) * side + i % squares * patch + x)];
+        const int row = i / squares * patch + y;
+        const int column = i % squares * patch + x;
+        mean +=
+            picture[static_cast<std::size_t>(row) * static_cast<std::size_t>(side) + static_cast<std::size_t>(column)];
       }
     }
     mean /= patch * patch;
