@@ -5,11 +5,10 @@
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0, rgba32f) uniform readonly image2D frame;
-layout(binding = 1, rgba8) uniform writeonly image2D pixels;
+layout(binding = 1) uniform writeonly image2D pixels;
 layout(location = 0) uniform float white_cd_m2;
 layout(location = 1) uniform int first_row; // of the picture, in this strip
-
-const float steps = 255.0; // of the pixels
+layout(location = 2) uniform float steps;   // of the pixels, from black to white
 
 void main() {
   ivec2 at = ivec2(gl_GlobalInvocationID.xy);
@@ -17,8 +16,6 @@ void main() {
     return;
   }
   vec3 color = plain_exposure(imageLoad(frame, at).xyz, white_cd_m2);
-  for (int channel = 0; channel < 3; ++channel) {
-    color[channel] = dithered(color[channel], uint(at.x), uint(first_row + at.y), uint(channel), steps);
-  }
+  color = dithered(color, uint(at.x), uint(first_row + at.y), 0u, steps);
   imageStore(pixels, at, vec4(color, 1.0));
 }

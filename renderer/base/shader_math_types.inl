@@ -28,6 +28,7 @@ using glm::exp;
 using glm::exp2;
 using glm::floor;
 using glm::fract;
+using glm::inverse;
 using glm::inversesqrt;
 using glm::length;
 using glm::log;

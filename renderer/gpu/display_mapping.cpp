@@ -11,8 +11,8 @@
 
 namespace vesper::gpu {
 
-PlainExposure::PlainExposure(const ShaderLibrary& library, Luminance white)
-    : program_(build_program(library, {"exposure.comp"})), white_(white) {
+PlainExposure::PlainExposure(const ShaderLibrary& library, Luminance white, PixelFormat format)
+    : program_(build_program(library, {"exposure.comp"})), white_(white), format_(format) {
   if (!(white > Luminance())) {
     throw Error(ErrorKind::argument, "the white luminance must be positive", {"", "", "Give more than 0 cd/m2"});
   }
@@ -23,10 +23,11 @@ void PlainExposure::map(const Texture& frame, const Texture& pixels, int width, 
   const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
   glProgramUniform1f(program_.name(), 0, static_cast<float>(white_.to(candela_per_m2)));
   glProgramUniform1i(program_.name(), 1, first_row);
+  glProgramUniform1f(program_.name(), 2, format_ == PixelFormat::rgba16 ? 65535.0F : 255.0F);
   glUseProgram(program_.name());
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
   glBindImageTexture(0, frame.name(), 0, GL_FALSE, 0, GL_READ_ONLY, GL_RGBA32F);
-  glBindImageTexture(1, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+  glBindImageTexture(1, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(format_));
   glDispatchCompute(groups(width), groups(height), 1);
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }

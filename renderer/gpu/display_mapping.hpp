@@ -7,17 +7,17 @@
 
 namespace vesper::gpu {
 
-/// The light of a picture, or of a strip of it, on the GPU. Textures have the picture's width and at least the strip's
-/// rows; row 0 of the texture is the strip's first.
-struct PictureLight {
+/// The light of a picture's strip on the GPU. Textures have the picture's width and at least the strip's rows; their row
+/// 0 is the strip's first.
+struct StripLight {
   const Texture& frame;  ///< rgba32f: X, Y, Z in cd/m2 and S, all light of the scene
-  const Texture& points; ///< likewise, the part of it that comes from points (stars, planets, discs too small to show)
-  const View& view;      ///< of the whole picture
-  Strip strip;
+  const Texture& points; ///< likewise, the part of it that comes from points: stars, planets, discs too small to show
+  Strip strip;           ///< its first row is a multiple of 4
 };
 
 /// Frame in, display pixels out. Adaptation, glare, acuity, noise and tone belong behind this interface; the frame
-/// itself only holds the light of the scene.
+/// itself only holds the light of the scene. A picture is looked at as a whole before it is mapped: start(), look() at
+/// every strip, map() every strip.
 class DisplayMapping {
 public:
   DisplayMapping() = default;
@@ -25,18 +25,17 @@ public:
   DisplayMapping& operator=(const DisplayMapping&) = delete;
   virtual ~DisplayMapping() = default;
 
-  /// What map() fills.
-  [[nodiscard]] virtual PixelFormat pixel_format() const { return PixelFormat::rgba8; }
+  /// Of the pixels that it fills: rgba8 or rgba16.
+  [[nodiscard]] virtual PixelFormat format() const = 0;
 
-  /// Looks at a whole picture before its strips are mapped. Where the picture is drawn in strips, it is a smaller one
-  /// of the same view without stars.
-  virtual void meter(const PictureLight& picture) = 0;
+  /// Begins a picture.
+  virtual void start(const View& view) = 0;
 
-  /// Fills `pixels` (code values; row 0 is the strip's first) from a strip.
-  virtual void map(const PictureLight& strip, const Texture& pixels) = 0;
+  /// Takes in a strip for what depends on the whole picture.
+  virtual void look(const StripLight& light) = 0;
+
+  /// Fills `pixels` (the display's code values; row 0 is the strip's first) once all strips have been looked at.
+  virtual void map(const StripLight& light, const Texture& pixels) = 0;
 };
-
-/// A view of the same picture in few pixels, to meter.
-[[nodiscard]] View metering_view(const View& view);
 
 } // namespace vesper::gpu

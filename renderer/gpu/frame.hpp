@@ -20,8 +20,9 @@ struct Frame {
   int height = 0;
   /// X, Y, Z (CIE 1931, Y in cd/m2) and S (scotopic cd/m2) of each pixel; empty unless asked for.
   std::vector<float> xyzs;
-  /// sRGB code values with alpha 255; empty unless asked for.
+  /// The display's code values, alpha at its largest; empty unless asked for in this depth.
   std::vector<std::uint8_t> rgba;
+  std::vector<std::uint16_t> rgba16;
   std::vector<PassTiming> timings;
 
   /// The four values of a pixel. Unchecked.

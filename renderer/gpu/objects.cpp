@@ -42,11 +42,23 @@ VertexArray make_vertex_array() {
   return VertexArray(name);
 }
 
+unsigned int gl_format(PixelFormat format) {
+  switch (format) {
+  case PixelFormat::rgba32f:
+    return GL_RGBA32F;
+  case PixelFormat::rgba16:
+    return GL_RGBA16;
+  case PixelFormat::rgba8:
+    break;
+  }
+  return GL_RGBA8;
+}
+
 Texture make_texture(int width, int height, PixelFormat format) {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
   Texture texture(name);
-  glTextureStorage2D(name, 1, format == PixelFormat::rgba32f ? GL_RGBA32F : GL_RGBA8, width, height);
+  glTextureStorage2D(name, 1, gl_format(format), width, height);
   require_no_error("creating a texture");
   return texture;
 }

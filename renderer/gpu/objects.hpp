@@ -57,9 +57,11 @@ void update_buffer(const Buffer& buffer, std::span<const std::byte> data);
 
 [[nodiscard]] VertexArray make_vertex_array();
 
-/// 32-bit float RGBA (a strip of the frame) or 8-bit RGBA (display pixels), without mipmaps. Throws Error(gpu) when
-/// the driver has no room for it.
-enum class PixelFormat { rgba32f, rgba8 };
+/// 32-bit float RGBA (a strip of the frame) or RGBA of 16 or 8 bits (display pixels).
+enum class PixelFormat { rgba32f, rgba16, rgba8 };
+/// OpenGL's name for it.
+[[nodiscard]] unsigned int gl_format(PixelFormat format);
+/// Without mipmaps. Throws Error(gpu) when the driver has no room for it.
 [[nodiscard]] Texture make_texture(int width, int height, PixelFormat format);
 /// One row of RGBA texels of 32-bit floats, to be read with texelFetch.
 [[nodiscard]] Texture make_row_texture(std::span<const float> rgba);

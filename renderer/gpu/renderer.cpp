@@ -36,12 +36,14 @@ void read_back(const Texture& texture, GLenum type, const Strip& strip, int widt
 } // namespace
 
 struct Renderer::Target {
-  Target(int target_width, int target_rows)
-      : width(target_width), rows(target_rows), frame(make_texture(width, rows, PixelFormat::rgba32f)),
-        pixels(make_texture(width, rows, PixelFormat::rgba8)), framebuffer(make_framebuffer(frame)) {}
+  Target(int target_width, int target_rows, PixelFormat pixel_format)
+      : width(target_width), rows(target_rows), format(pixel_format),
+        frame(make_texture(width, rows, PixelFormat::rgba32f)), pixels(make_texture(width, rows, format)),
+        framebuffer(make_framebuffer(frame)) {}
 
   int width;
   int rows;
+  PixelFormat format; // of the pixels
   Texture frame;
   Texture pixels;
   Framebuffer framebuffer;
@@ -53,10 +55,10 @@ Renderer::Renderer(const ShaderLibrary& library)
 
 Renderer::~Renderer() = default;
 
-Renderer::Target& Renderer::target(int width, int rows) {
-  if (!target_ || target_->width != width || target_->rows != rows) {
+Renderer::Target& Renderer::target(int width, int rows, PixelFormat format) {
+  if (!target_ || target_->width != width || target_->rows != rows || target_->format != format) {
     target_.reset();
-    target_ = std::make_unique<Target>(width, rows);
+    target_ = std::make_unique<Target>(width, rows, format);
   }
   return *target_;
 }
@@ -70,8 +72,11 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (outputs.xyzs) {
     frame.xyzs.resize(values);
   }
+  const PixelFormat format = outputs.mapping != nullptr ? outputs.mapping->format() : PixelFormat::rgba8;
+  const bool deep = format == PixelFormat::rgba16;
   if (outputs.mapping != nullptr) {
-    frame.rgba.resize(values);
+    frame.rgba.resize(deep ? 0 : values);
+    frame.rgba16.resize(deep ? values : 0);
   }
   std::vector<PassTiming>* timings = outputs.timings ? &frame.timings : nullptr;
 
@@ -113,7 +118,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   }
 
   const int rows = strip_rows(view, strip_limit_);
-  const Target& on = target(view.width, rows);
+  const Target& on = target(view.width, rows, format);
   for (int first = 0; first < view.height; first += rows) {
     const Strip strip{first, std::min(rows, view.height - first)};
     glBindFramebuffer(GL_FRAMEBUFFER, on.framebuffer.name());
@@ -127,7 +132,9 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
       if (outputs.xyzs) {
         read_back(on.frame, GL_FLOAT, strip, view.width, frame.xyzs);
       }
-      if (outputs.mapping != nullptr) {
+      if (outputs.mapping != nullptr && deep) {
+        read_back(on.pixels, GL_UNSIGNED_SHORT, strip, view.width, frame.rgba16);
+      } else if (outputs.mapping != nullptr) {
         read_back(on.pixels, GL_UNSIGNED_BYTE, strip, view.width, frame.rgba);
       }
     });

@@ -23,7 +23,7 @@ namespace vesper::gpu {
 /// What render() hands back.
 struct RenderOutputs {
   bool xyzs = true;                  ///< the frame itself
-  DisplayMapping* mapping = nullptr; ///< display pixels through it; none if null
+  DisplayMapping* mapping = nullptr; ///< display pixels through it, in its depth; none if null
   bool timings = false;              ///< wall-clock time per pass; costs a wait for the GPU after each
   StarShading star_shading = StarShading::psf;
   MoonShading moon_shading = MoonShading::surface;
@@ -55,7 +55,7 @@ public:
 
 private:
   struct Target;
-  Target& target(int width, int rows);
+  Target& target(int width, int rows, PixelFormat format);
 
   StarPass star_pass_;
   PlanetPass planet_pass_;
