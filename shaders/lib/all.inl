@@ -19,6 +19,8 @@
 #include "vesper/shaders/lib/moon_surface.glsl"
 #include "vesper/shaders/lib/lunar_eclipse.glsl"
 #include "vesper/shaders/lib/visibility.glsl"
+#include "vesper/shaders/lib/mesopic.glsl"
+#include "vesper/shaders/lib/vision.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
 #include "vesper/shaders/lib/dark_sky.glsl"
