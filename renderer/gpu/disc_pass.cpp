@@ -92,14 +92,14 @@ void DiscPass::prepare(const PlannedDisc& disc, const View& view, const FramePla
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 
-void DiscPass::draw(const Strip& strip) {
+void DiscPass::draw(const Strip& strip, bool shines) {
   const std::array<float, 2> rows{static_cast<float>(strip.first_row), static_cast<float>(strip.rows)};
   glNamedBufferSubData(uniforms_.name(), offsetof(DiscBlock, strip), sizeof(rows), rows.data());
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
   refraction_.bind(0);
   extinction_.bind(1);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_COLOR);
+  glBlendFunc(shines ? GL_ONE : GL_ZERO, GL_ONE_MINUS_SRC1_COLOR);
   glUseProgram(program_->name());
   glBindVertexArray(no_vertices_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, boxes_);

@@ -26,9 +26,13 @@ public:
                const std::vector<std::string>& defines = {});
 
   /// Draws into the bound framebuffer, with the stage's own block and textures bound.
-  void draw(const Strip& strip);
+  void draw(const Strip& strip) { draw(strip, true); }
+  /// Only hides what is drawn already, with the same stage.
+  void hide(const Strip& strip) { draw(strip, false); }
 
 private:
+  void draw(const Strip& strip, bool shines);
+
   ProgramVariants programs_;
   Buffer uniforms_;
   RefractionTexture refraction_;

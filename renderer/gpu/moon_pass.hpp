@@ -31,7 +31,14 @@ public:
   /// Draws it over what the bound framebuffer holds.
   void draw(const Strip& strip);
 
+  /// Whether it is drawn as a point.
+  [[nodiscard]] bool is_point() const { return is_point_; }
+  /// Only hides what is behind it; for a disc.
+  void hide(const Strip& strip);
+
 private:
+  void bind() const;
+
   DiscPass disc_;
   PointPass point_;
   Buffer uniforms_;

@@ -22,6 +22,11 @@ public:
   /// Draws disc and corona, without what the Moon hides of them, over what the bound framebuffer holds.
   void draw(const Strip& strip);
 
+  /// Whether it is drawn as a point.
+  [[nodiscard]] bool is_point() const { return is_point_; }
+  /// Only hides what is behind it; for a disc.
+  void hide(const Strip& strip);
+
 private:
   DiscPass disc_;
   PointPass point_;

@@ -82,9 +82,8 @@ std::vector<AdaptationState> adapt(std::span<const MeteredInstant> sequence) {
                   {"", "", "Give the instants in order of time"});
     }
     const AdaptationState& last = states.back();
-    const f64::vec2 state =
-        f64::adapted({field.cones.to(candela_per_m2), field.rods.to(candela_per_m2)},
-                     {last.cones.to(candela_per_m2), last.rods.to(candela_per_m2)}, elapsed);
+    const f64::vec2 state = f64::adapted({field.cones.to(candela_per_m2), field.rods.to(candela_per_m2)},
+                                         {last.cones.to(candela_per_m2), last.rods.to(candela_per_m2)}, elapsed);
     states.push_back({state.x * candela_per_m2, state.y * candela_per_m2});
   }
   return states;

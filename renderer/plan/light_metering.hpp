@@ -17,9 +17,9 @@ enum class Metering {
   foveal,      ///< by solid angle, and less away from the view's direction: half at 5 degrees
 };
 
-/// The cells that a picture is metered by: about a degree wide, as the fovea is (Larson, Rushmeier and Piatko 1997), each
-/// the mean of samples x samples pixels. They depend on the view's field and shape alone, so that a picture in more
-/// pixels is metered alike.
+/// The cells that a picture is metered by: about a degree wide, as the fovea is (Larson, Rushmeier and Piatko 1997),
+/// each the mean of samples x samples pixels. They depend on the view's field and shape alone, so that a picture in
+/// more pixels is metered alike.
 struct MeteringGrid {
   int columns = 0;
   int rows = 0;

@@ -17,8 +17,8 @@ constexpr double viewer_share_of_peak = 0.2;
 /// The scene's adaptation luminance is shown at that share of the display's range at most, so that what is brighter
 /// keeps some room.
 constexpr double most_of_range = 0.7;
-/// Share of the contrast above the adaptation luminance that goes to luminances by their octaves, however few cells have
-/// them: so that small discs, too, have a surface.
+/// Share of the contrast above the adaptation luminance that goes to luminances by their octaves, however few cells
+/// have them: so that small discs, too, have a surface.
 constexpr double even_share = 0.05;
 constexpr double octaves_per_node = 1.0 / f64::tone_nodes_per_octave;
 
@@ -37,10 +37,10 @@ double scene_step(const AdaptationState& state) {
                   f64::rod_threshold_cd_m2(state.rods.to(candela_per_m2)));
 }
 
-/// Visibility matching. Around the adaptation luminance steps that can just be seen in the scene become such steps on the
-/// display (Ward 1994; Ferwerda et al. 1996, sec. 4.2), below it likewise: there the eye is adapted to what is brighter.
-/// Above, luminances share the rest of the display's range in proportion to how often they occur, but none has more
-/// contrast than it is seen with in the scene (Larson, Rushmeier and Piatko 1997).
+/// Visibility matching. Around the adaptation luminance steps that can just be seen in the scene become such steps on
+/// the display (Ward 1994; Ferwerda et al. 1996, sec. 4.2), below it likewise: there the eye is adapted to what is
+/// brighter. Above, luminances share the rest of the display's range in proportion to how often they occur, but none
+/// has more contrast than it is seen with in the scene (Larson, Rushmeier and Piatko 1997).
 class VisibilityCurve {
 public:
   VisibilityCurve(const LightHistogram& histogram, const AdaptationState& state, double stops, double floor_cd_m2,
@@ -159,8 +159,9 @@ std::vector<double> curve_of(const ToneSettings& settings, const LightHistogram&
   return shown;
 }
 
-/// The least illuminance of a point that an eye in its state sees: until it has adapted to darkness, over the background
-/// that would hide as much (Crawford 1937). Before rods have, cones see, whose threshold ends where rods take over.
+/// The least illuminance of a point that an eye in its state sees: until it has adapted to darkness, over the
+/// background that would hide as much (Crawford 1937). Before rods have, cones see, whose threshold ends where rods
+/// take over.
 double point_threshold_lux(double background_cd_m2, const AdaptationState& state, const AdaptationState& field) {
   constexpr double cones_end_cd_m2 = 0.0216;
   const auto over = [&](Luminance at, Luminance of_field) {
@@ -193,8 +194,8 @@ std::optional<ToneOperator> tone_operator_from_name(std::string_view name) {
              : std::optional(static_cast<ToneOperator>(found - names_of_operators.begin()));
 }
 
-ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& histogram,
-                          const AdaptationState& state, const f64::DisplayModel& display) {
+ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& histogram, const AdaptationState& state,
+                          const f64::DisplayModel& display) {
   const double range = display.range_cd_m2;
   ToneCurve curve;
   curve.floor_cd_m2 = f64::display_floor_cd_m2(display, 0.0);
@@ -209,8 +210,8 @@ ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& hi
     }
     // mean = floor(mean) + added, and floor() is linear in the mean.
     const double room = display.ambient_cd_m2;
-    curve.mean_cd_m2 = (display.black_cd_m2 + room - display.cross_reflection * room + added) /
-                       (1.0 - display.cross_reflection);
+    curve.mean_cd_m2 =
+        (display.black_cd_m2 + room - display.cross_reflection * room + added) / (1.0 - display.cross_reflection);
     curve.floor_cd_m2 = f64::display_floor_cd_m2(display, curve.mean_cd_m2);
   }
   const AdaptationState field = adapted_to(histogram);

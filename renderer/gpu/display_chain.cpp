@@ -1,0 +1,93 @@
+#include "vesper/gpu/display_chain.hpp"
+
+#include "vesper/base/error.hpp"
+#include "vesper/gpu/display_uniforms.hpp"
+
+#include <array>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace vesper::gpu {
+namespace {
+
+constexpr GLint display_location = 20; // of shaders/display_chain.comp
+
+void require_settings(const DisplaySettings& settings) {
+  if (settings.format == PixelFormat::rgba32f) {
+    throw Error(ErrorKind::argument, "a display takes no code values of 32-bit floats",
+                {"", "", "Give rgba8 or rgba16"});
+  }
+  if (!std::isfinite(settings.tone.stops) || !std::isfinite(settings.tone.exposure_value.value_or(0.0))) {
+    throw Error(ErrorKind::argument, "exposures must be finite", {"", "", "Give stops of, say, -30 to 30"});
+  }
+}
+
+Texture texture_of(const ToneCurve& curve) {
+  std::vector<float> rgba;
+  rgba.reserve(4 * curve.nodes.size());
+  for (const f64::vec4& node : curve.nodes) {
+    for (int channel = 0; channel < 4; ++channel) {
+      rgba.push_back(static_cast<float>(node[channel]));
+    }
+  }
+  return make_row_texture(rgba);
+}
+
+} // namespace
+
+DisplayChain::DisplayChain(const ShaderLibrary& library, const DisplaySettings& settings)
+    : settings_(settings), display_(display_model(settings.display)), programs_(library, {"display_chain.comp"}),
+      meter_(library) {
+  require_settings(settings);
+}
+
+void DisplayChain::start(const View& view) {
+  view_ = view;
+  meter_.start(view, settings_.metering);
+}
+
+void DisplayChain::look(const StripLight& light) {
+  meter_.add(light);
+  looked_ = true;
+}
+
+void DisplayChain::find_curve() {
+  histogram_ = meter_.histogram();
+  curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
+  nodes_ = texture_of(curve_);
+  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection))};
+  if (settings_.tone.tone == ToneOperator::false_color) {
+    defines.emplace_back("FALSE_COLOR");
+  }
+  program_ = &programs_.get(defines);
+  const GLuint program = program_->name();
+  glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
+  glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
+  glProgramUniform1f(program, 3, settings_.format == PixelFormat::rgba16 ? 65535.0F : 255.0F);
+  glProgramUniform1ui(program, 4, settings_.seed);
+  glProgramUniform1i(program, 5, settings_.night_vision ? 1 : 0);
+  glProgramUniform1i(program, 6, settings_.tone.tone == ToneOperator::photographic ? 0 : 1);
+  set_display(*program_, display_location, display_);
+  looked_ = false;
+}
+
+void DisplayChain::map(const StripLight& light, const Texture& pixels) {
+  if (looked_) {
+    find_curve();
+  }
+  constexpr GLuint group = 16;
+  const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
+  glProgramUniform2i(program_->name(), 2, light.strip.first_row, light.strip.rows);
+  glUseProgram(program_->name());
+  glBindTextureUnit(0, light.frame.name());
+  glBindTextureUnit(1, light.points.name());
+  glBindTextureUnit(2, nodes_.name());
+  glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
+  glDispatchCompute(groups(view_.width), groups(light.strip.rows), 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+} // namespace vesper::gpu
