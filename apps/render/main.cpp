@@ -8,17 +8,19 @@
 #include "vesper/assets/star_glb.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/files.hpp"
+#include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/renderer.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/sky/sky_state.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <spdlog/spdlog.h>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -37,7 +39,11 @@ struct RenderOptions {
   std::string extinction = "on";
   std::string refraction = "on";
   double exposure_time_s = AirOptions{}.exposure_s;
+  std::string tone = "visibility";
   double exposure_stops = 0.0;
+  std::optional<double> exposure_value;
+  std::string metering = "whole";
+  std::optional<std::string> night_vision;
   bool timings = false;
 };
 
@@ -102,31 +108,21 @@ DiscOptions disc_options(const RenderOptions& options) {
   return discs;
 }
 
-/// The display's white by what the picture shows: by the light of areas, not of points.
-Luminance automatic_white(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
-                          Luminance least) {
-  const View small = gpu::metering_view(view);
-  const auto frame_of = [&](LayerSet layers) {
-    FrameOptions metered = plan.options;
-    metered.layers = layers;
-    return renderer.render(sky, small, plan_frame(sky, small, {}, metered, &plan));
-  };
-  Luminance white = least;
-  if (!plan.lights.empty() || plan.dark_sky) {
-    LayerSet areas = plan.options.layers;
-    for (const Layer layer : {Layer::stars, Layer::planets, Layer::moon, Layer::sun}) {
-      areas.reset(static_cast<std::size_t>(layer));
-    }
-    white = gpu::metered_white(frame_of(areas), white);
-  }
-  if (plan.moon || plan.sun) {
-    LayerSet discs;
-    for (const Layer layer : {Layer::moon, Layer::sun, Layer::ground}) {
-      discs.set(static_cast<std::size_t>(layer));
-    }
-    white = gpu::white_before_discs(white, frame_of(plan.options.layers & discs));
-  }
-  return white;
+gpu::DisplaySettings display_settings(const RenderOptions& options) {
+  gpu::DisplaySettings settings;
+  settings.tone.tone = *tone_operator_from_name(options.tone);
+  settings.tone.stops = options.exposure_stops;
+  settings.tone.exposure_value = options.exposure_value;
+  settings.metering = options.metering == "foveal" ? Metering::foveal : Metering::whole_field;
+  // A camera has no rods.
+  const bool eye = settings.tone.tone != ToneOperator::photographic;
+  settings.night_vision = options.night_vision ? *options.night_vision == "on" : eye;
+  return settings;
+}
+
+std::vector<std::string> tone_operators() {
+  const auto names = tone_operator_names();
+  return {names.begin(), names.end()};
 }
 
 void render(const SceneOptions& scene, const RenderOptions& options) {
@@ -168,14 +164,10 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  Luminance white = gpu::star_chart_white(scene.view);
-  if (kind == OutputKind::png) {
-    white = automatic_white(renderer, sky, scene.view, plan, white);
-  }
-  gpu::PlainExposure exposure(shaders, white * std::exp2(-options.exposure_stops));
+  gpu::DisplayChain chain(shaders, display_settings(options));
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::exr;
-  outputs.mapping = kind == OutputKind::png ? &exposure : nullptr;
+  outputs.mapping = kind == OutputKind::png ? &chain : nullptr;
   outputs.timings = options.timings;
   if (options.timings) {
     // The first frame pays for compiling programs and says nothing about a sequence.
@@ -222,8 +214,22 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->check(CLI::Range(0.0, 1.0e6));
   app.add_option("--extinction", options.extinction, "dimming of the stars by the air: on, off")->check(on_off);
   app.add_option("--refraction", options.refraction, "bending of light by the air: on, off")->check(on_off);
-  app.add_option("--exposure", options.exposure_stops, "stops over the default exposure of a PNG, -30 to 30")
+  app.add_option(
+         "--operator", options.tone,
+         "from the scene's luminance to the display's: visibility (default; shows what the eye would see), "
+         "reinhard, hable, photographic (linear, as a camera), false-color (luminance by colours, with a legend)")
+      ->check(CLI::IsMember(tone_operators()));
+  app.add_option("--exposure", options.exposure_stops, "stops over the exposure that the operator finds, -30 to 30")
       ->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--ev", options.exposure_value,
+                 "exposure value at ISO 100 of --operator photographic, -30 to 30; as a meter tells by default")
+      ->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--metering", options.metering,
+                 "what the eye is adapted to: whole (default), the field; foveal, its middle")
+      ->check(CLI::IsMember({"whole", "foveal"}));
+  app.add_option("--night-vision", options.night_vision,
+                 "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
+      ->check(on_off);
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");

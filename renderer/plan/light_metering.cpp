@@ -28,12 +28,25 @@ double field_deg(const View& view) {
   }
 }
 
-Luminance mean_brightness(const LightHistogram::Bins& bins) {
-  double sum = 0.0;
+/// Cells darker than the mean brightness by this factor count as that dark: black says nothing.
+constexpr double darkest_share = 1.0 / 300.0;
+
+Luminance field_luminance(const LightHistogram::Bins& bins) {
+  double cube_root = 0.0;
+  double lit = 0.0;
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    sum += bins.at(i) * std::cbrt(f64::tone_bin_luminance(static_cast<double>(i)));
+    cube_root += bins.at(i) * std::cbrt(f64::tone_bin_luminance(static_cast<double>(i)));
+    lit += bins.at(i);
   }
-  return sum * sum * sum * candela_per_m2;
+  if (cube_root <= 0.0) {
+    return Luminance();
+  }
+  const double darkest = darkest_share * cube_root * cube_root * cube_root;
+  double sum = std::max(1.0 - lit, 0.0) * std::log(darkest);
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    sum += bins.at(i) * std::log(std::max(f64::tone_bin_luminance(static_cast<double>(i)), darkest));
+  }
+  return std::exp(sum) * candela_per_m2;
 }
 
 } // namespace
@@ -62,7 +75,7 @@ void add_to(LightHistogram::Bins& bins, double luminance_cd_m2, double share) {
 }
 
 AdaptationState adapted_to(const LightHistogram& histogram) {
-  return {mean_brightness(histogram.seen), mean_brightness(histogram.scotopic)};
+  return {field_luminance(histogram.seen), field_luminance(histogram.scotopic)};
 }
 
 std::vector<AdaptationState> adapt(std::span<const MeteredInstant> sequence) {

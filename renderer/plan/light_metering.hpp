@@ -43,8 +43,9 @@ struct AdaptationState {
   Luminance rods; ///< scotopic
 };
 
-/// The state of an eye that has looked at a picture for long: the mean brightness of its field, which goes about as the
-/// cube root of luminance (Stevens 1961), so that neither a small bright disc nor a dark half of the field governs it.
+/// The state of an eye that has looked at a picture for long: the mean of the logarithm over its field. What is darker
+/// than 1/300 of the mean brightness (which goes about as the cube root of luminance: Stevens 1961) counts as that, so
+/// that neither a small bright disc nor a black half of the field governs it.
 [[nodiscard]] AdaptationState adapted_to(const LightHistogram& histogram);
 
 /// An instant of a sequence, and what its picture would adapt an eye to.
