@@ -261,6 +261,15 @@ std::string apply_sky_glow_distance(std::string_view text, SceneOptions& scene) 
   return "";
 }
 
+std::string apply_field_factor(std::string_view text, SceneOptions& scene) {
+  const auto value = number_within(text, 0.5, 10.0);
+  if (!value) {
+    return "0.5 to 10, keen to casual";
+  }
+  scene.field_factor = *value;
+  return "";
+}
+
 std::string apply_danjon(std::string_view text, SceneOptions& scene) {
   const auto value = number_within(text, least_danjon, most_danjon);
   if (!value) {
@@ -352,6 +361,10 @@ constexpr std::array table{
                            "How clear the Earth's air is in eclipses of the Moon, on Danjon's scale: 0, after great "
                            "eruptions, to 4; default 2.5",
                            apply_danjon},
+    SceneOptionDescription{"field-factor", Kind::number, "F", model,
+                           "Light that the observer needs to see a star, over the least in the laboratory, 0.5 to 10: "
+                           "1.4 keen, 2.4 casual; default 1.7",
+                           apply_field_factor},
     SceneOptionDescription{"seed", Kind::integer, "N", model, "Seed of everything random, 0 or above; default 0",
                            apply_seed},
 };

@@ -6,6 +6,7 @@
 #include "vesper/astro/star_frame.hpp"
 #include "vesper/astro/time.hpp"
 #include "vesper/atmosphere/medium.hpp"
+#include "vesper/base/shader_math.hpp"
 #include "vesper/plan/layers.hpp"
 #include "vesper/plan/view.hpp"
 #include "vesper/sky/dark_sky.hpp"
@@ -56,6 +57,7 @@ struct SceneOptions {
   SkyModel sky = SkyModel::tables;
   DarkSkyOptions dark_sky;             ///< the Sun's activity and artificial light
   double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
+  double field_factor = f64::default_field_factor; ///< how much light the observer needs: star_visibility.hpp
   std::uint64_t seed = 0;              ///< of everything random
 };
 

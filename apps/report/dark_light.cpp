@@ -2,6 +2,7 @@
 
 #include "vesper/base/gauss_legendre.hpp"
 #include "vesper/light/night_light.hpp"
+#include "vesper/light/response_functions.hpp"
 #include "vesper/light/response_matrix.hpp"
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/sky_light.hpp"
@@ -27,14 +28,14 @@ double glow_illuminance(const Medium& medium, Length height, Length distance) {
   return lux_sum;
 }
 
-/// \param luminance above the air, cd/m2 \param direct what comes through of it in the zenith
+/// \param luminance above the air, cd/m2 \param direct X, Y, Z, S of what comes through of it in the zenith
 /// \param share of it that comes through at a sine of altitude
-DarkSourceLight source_light(const DarkAir& air, const Mat4& from_sunlight, double direct,
+DarkSourceLight source_light(const DarkAir& air, const Mat4& from_sunlight, const Vec4& direct,
                              const std::function<double(const Vec3&)>& luminance,
                              const std::function<double(double)>& share) {
   const SpreadLight light = spread_light(air.scattered.lowest(), luminance);
-  DarkSourceLight sum{(from_sunlight * air.scattered.illuminance(light)).y,
-                      direct + (from_sunlight * air.scattered.luminance(0, Angle(), light)).y};
+  const Vec4 zenith_light = direct + from_sunlight * air.scattered.luminance(0, Angle(), light);
+  DarkSourceLight sum{(from_sunlight * air.scattered.illuminance(light)).y, zenith_light.y, zenith_light.w};
   for (const SpreadLight::Ring& ring : light.rings) {
     const double sine = std::sin(ring.altitude.to(rad));
     sum.illuminance_lux += sine > 0.0 ? sine * ring.even * share(sine) : 0.0;
@@ -53,6 +54,7 @@ DarkSourceLight DarkLight::sum() const {
   for (const DarkSourceLight& part : {airglow, zodiacal, starlight, sky_glow}) {
     all.illuminance_lux += part.illuminance_lux;
     all.zenith_luminance_cd_m2 += part.zenith_luminance_cd_m2;
+    all.zenith_scotopic_cd_m2 += part.zenith_scotopic_cd_m2;
   }
   return all;
 }
@@ -65,18 +67,19 @@ DarkLight dark_light(const SkyState& sky, const DarkAir& air, const DarkSkyOptio
   static const Mat4 to_starlight = response_matrix(sunlight, faint_starlight_spectrum());
   DarkLight light;
   light.airglow = source_light(
-      air, to_airglow, air.direct.airglow(dark, 1.0).y, [&](const Vec3& at) { return airglow_above(dark, at.z).y; },
+      air, to_airglow, air.direct.airglow(dark, 1.0), [&](const Vec3& at) { return airglow_above(dark, at.z).y; },
       [&](double sine) { return air.direct.airglow(dark, sine).y / airglow_above(dark, sine).y; });
   light.zodiacal = source_light(
-      air, to_zodiacal, air.direct.zodiacal_share(1.0).y * zodiacal_light(dark, zenith).y,
+      air, to_zodiacal, air.direct.zodiacal_share(1.0) * zodiacal_light(dark, zenith),
       [&](const Vec3& at) { return zodiacal_light(dark, at).y; },
       [&](double sine) { return air.direct.zodiacal_share(sine).y; });
   light.starlight = source_light(
-      air, to_starlight, air.direct.starlight_share(1.0).y * faint_starlight(dark, zenith).y,
+      air, to_starlight, air.direct.starlight_share(1.0) * faint_starlight(dark, zenith),
       [&](const Vec3& at) { return faint_starlight(dark, at).y; },
       [&](double sine) { return air.direct.starlight_share(sine).y; });
   const double glow = air.glow_lux > 0.0 ? options.glow.zenith.to(candela_per_m2) : 0.0;
-  light.sky_glow = {glow * air.glow_lux, glow};
+  static const double lamp_sp_ratio = integrate_xyzs(lamp_spectrum()).s / integrate_xyzs(lamp_spectrum()).y;
+  light.sky_glow = {glow * air.glow_lux, glow, glow * lamp_sp_ratio};
   return light;
 }
 

@@ -24,6 +24,7 @@ struct DarkAir {
 struct DarkSourceLight {
   double illuminance_lux = 0.0; ///< of a level surface
   double zenith_luminance_cd_m2 = 0.0;
+  double zenith_scotopic_cd_m2 = 0.0;
 };
 
 struct DarkLight {

@@ -7,6 +7,7 @@
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/moon_shadow.hpp"
+#include "vesper/sky/star_visibility.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,7 +77,9 @@ SceneLight light_by_tables(const ReportedScene& scene) {
     const EclipsedSky sky(air, moon_shadow(scene.sky, air->wavelengths_nm()).value(), height, 1);
     light.sun.direct_lux = table_light(tables, height, lights_of(scene.sky)).sun.direct_lux;
     light.sun.diffuse_lux *= static_cast<double>(sky.level_ratio().y);
-    light.sun.zenith_luminance_cd_m2 *= static_cast<double>(sky.ratios({0.0, 0.0, 1.0}).all.y);
+    const f32::vec4 left = sky.ratios({0.0, 0.0, 1.0}).all;
+    light.sun.zenith_luminance_cd_m2 *= static_cast<double>(left.y);
+    light.sun.zenith_scotopic_cd_m2 *= static_cast<double>(left.w);
   }
   return light;
 }
@@ -105,6 +108,16 @@ double dark_part(const ReportedScene& scene) {
   return dark_light_of(scene).*source.*part;
 }
 
+double zenith_limiting_magnitude(const ReportedScene& scene) {
+  const SceneLight light = by_tables(scene) ? light_of(scene) : light_by_tables(scene);
+  const DarkSourceLight dark = dark_light_of(scene).sum();
+  const Vec4 background(
+      0.0, light.sun.zenith_luminance_cd_m2 + light.moon.zenith_luminance_cd_m2 + dark.zenith_luminance_cd_m2, 0.0,
+      light.sun.zenith_scotopic_cd_m2 + light.moon.zenith_scotopic_cd_m2 + dark.zenith_scotopic_cd_m2);
+  const Vec4 share = scene.air.dark_air(height_in_air(scene.sky.observer))->direct.starlight_share(1.0);
+  return limiting_magnitude(background, usual_star(share), scene.air.field_factor());
+}
+
 double zenith_extinction(const ReportedScene& scene) {
   return zenith_extinction_v_mag(scene.air.medium(), height_in_air(scene.sky.observer), solar_irradiance_1au());
 }
@@ -113,6 +126,7 @@ constexpr std::array columns{
     SceneColumn{"zenith_extinction_v_mag", zenith_extinction},
     SceneColumn{"horizontal_illuminance_lux", horizontal_illuminance_lux, true},
     SceneColumn{"zenith_luminance_cd_m2", zenith_luminance_cd_m2, true},
+    SceneColumn{"limiting_magnitude", zenith_limiting_magnitude, true},
     SceneColumn{"sun_direct_illuminance_lux", [](const ReportedScene& s) { return light_of(s).sun.direct_lux; }, true},
     SceneColumn{"sun_diffuse_illuminance_lux", [](const ReportedScene& s) { return light_of(s).sun.diffuse_lux; },
                 true},

@@ -40,6 +40,7 @@ struct ReportOptions {
   std::string columns;
   std::string ids;
   std::string catalogue;
+  bool visibility = false;
   std::string from, to, kind;
   std::string shadow = "danjon";
   std::string lunar_radius = "mean";
@@ -98,7 +99,8 @@ void report_scene(const SceneOptions& scene, const ReportOptions& options) {
   const ReportedScene reported{sky, air, {}, {}};
   deliver(options.json ? scene_json(reported, columns)
           : options.columns.empty()
-              ? scene_text(sky, default_star_catalogue(), light_of(reported), dark_light_of(reported))
+              ? scene_text(sky, default_star_catalogue(), light_of(reported), dark_light_of(reported),
+                           select_columns("limiting_magnitude")[0].value(reported))
               : scene_lines(reported, columns),
           options.output);
 }
@@ -133,7 +135,11 @@ void report_stars(const SceneOptions& scene, const ReportOptions& options) {
       options.catalogue.empty() ? stars_by_id(options.ids, default_star_catalogue())
                                 : stars_of_table(CsvTable(read_file(options.catalogue), options.catalogue));
   const StarFrame frame = star_frame(scene.instant, scene.observer, scene.tier);
-  deliver(options.json ? star_report_json(stars, frame) : star_report_csv(stars, frame), options.output);
+  const std::vector<ReportedPlace> places = reported_places(stars, frame);
+  const std::vector<StarSight> sights =
+      options.visibility ? star_sights(stars, places, sky_state_of(scene), SceneAir(scene)) : std::vector<StarSight>();
+  deliver(options.json ? star_report_json(stars, places, sights) : star_report_csv(stars, places, sights),
+          options.output);
 }
 
 void report_eclipses(const SceneOptions& scene, const ReportOptions& options) {
@@ -229,7 +235,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "--columns", options.columns,
          "Comma-separated quantities to report, also venus_magnitude and its like, sun_magnitude, sun_illuminance_lux "
          "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
-         "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2 and, by source, "
+         "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2, limiting_magnitude (V "
+         "above the air of the faintest star seen in the zenith) and, by source, "
          "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, "
          "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; "
          "default "
@@ -245,6 +252,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                    "CSV with the columns id, ra_deg, dec_deg, epoch_jyear, pm_ra_cosdec_mas_yr, pm_dec_mas_yr, "
                    "parallax_mas, radial_velocity_km_s")
       ->type_name("FILE");
+
+  stars->add_flag("--visibility", options.visibility,
+                  "Two columns more: limiting_magnitude, V above the air of the faintest star of its colour that is seen "
+                  "in its place, and visibility: visible, or what hides it");
 
   CLI::App* eclipses = app.add_subcommand("eclipses", "Eclipses of a span of years, as CSV or JSON");
   eclipses->add_option("--from", options.from, "Year, date or instant of the first")->type_name("TIME");

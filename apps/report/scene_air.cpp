@@ -33,14 +33,14 @@ const Medium& SceneAir::medium() const { return *parts_->scene.medium; }
 
 SkyModel SceneAir::model() const { return parts_->scene.sky; }
 
-const SkyTables& SceneAir::tables() const {
+const std::shared_ptr<const SkyTables>& SceneAir::shared_tables() const {
   std::call_once(parts_->tables_made, [this] { parts_->tables = scene_sky_tables(parts_->scene); });
-  return *parts_->tables;
+  return parts_->tables;
 }
 
 std::shared_ptr<const DarkAir> SceneAir::dark_air(Length height) const {
   constexpr std::size_t most_heights = 64; // of a table with places all over
-  static_cast<void>(tables());
+  const std::shared_ptr<const SkyTables>& tables = shared_tables();
   const std::lock_guard lock(parts_->dark_air_made);
   const auto known = parts_->dark_airs.find(height);
   if (known != parts_->dark_airs.end()) {
@@ -50,7 +50,7 @@ std::shared_ptr<const DarkAir> SceneAir::dark_air(Length height) const {
     parts_->dark_airs.clear();
   }
   return parts_->dark_airs
-      .emplace(height, std::make_shared<const DarkAir>(medium(), parts_->tables, height, dark_sky().glow))
+      .emplace(height, std::make_shared<const DarkAir>(medium(), tables, height, dark_sky().glow))
       .first->second;
 }
 
@@ -67,5 +67,7 @@ const ReferenceTransport& SceneAir::transport() const {
 }
 
 const PathBudget& SceneAir::budget() const { return parts_->budget; }
+
+double SceneAir::field_factor() const { return parts_->scene.field_factor; }
 
 } // namespace vesper

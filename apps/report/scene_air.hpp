@@ -27,7 +27,8 @@ public:
   /// How the light in it is to be found.
   [[nodiscard]] SkyModel model() const;
   /// From a cache, if they are there (sky_tables_cache.hpp); takes seconds otherwise.
-  [[nodiscard]] const SkyTables& tables() const;
+  [[nodiscard]] const SkyTables& tables() const { return *shared_tables(); }
+  [[nodiscard]] const std::shared_ptr<const SkyTables>& shared_tables() const;
   /// The air before the dark sky at a height, and what is said of that sky. By the tables in any model.
   [[nodiscard]] std::shared_ptr<const DarkAir> dark_air(Length height) const;
   [[nodiscard]] const DarkSkyOptions& dark_sky() const;
@@ -36,6 +37,8 @@ public:
   /// At the medium's wavelengths. Takes seconds at first.
   [[nodiscard]] const ReferenceTransport& transport() const;
   [[nodiscard]] const PathBudget& budget() const;
+  /// Of who looks into it: limiting_magnitude in star_visibility.hpp.
+  [[nodiscard]] double field_factor() const;
 
 private:
   struct Parts;

@@ -211,7 +211,7 @@ std::string_view moon_phase_name(double illuminated_fraction, bool waxing) {
 }
 
 std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
-                       const DarkLight& dark) {
+                       const DarkLight& dark, std::optional<double> limiting_magnitude) {
   const BodyPlace& moon = sky.moon.place;
   const Refraction refraction = with_table(sky.refraction);
   const Angle horizon = horizon_altitude(refraction, sky.observer.height);
@@ -234,6 +234,9 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   text += of_sun_and_moon;
   if (sky.sun.altitude < civil_twilight_end) {
     text += dark_text(dark, of_sun_and_moon.empty());
+  }
+  if (limiting_magnitude) {
+    fmt::format_to(out, "Limit   {:.1f} mag in the zenith\n", *limiting_magnitude);
   }
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);

@@ -7,6 +7,7 @@
 #include "vesper/assets/star_catalogue.hpp"
 #include "vesper/sky/sky_state.hpp"
 
+#include <optional>
 #include <string>
 
 namespace vesper {
@@ -15,7 +16,7 @@ namespace vesper {
 /// libration, their light on level ground and in the zenith, planets and brightest stars up and figures that stand
 /// high, as lines of text.
 [[nodiscard]] std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, const SceneLight& light,
-                                     const DarkLight& dark);
+                                     const DarkLight& dark, std::optional<double> limiting_magnitude = {});
 
 /// One of 16 compass points for an azimuth: "N", "NNE", ...
 [[nodiscard]] std::string_view compass_point(Angle azimuth);

@@ -4,8 +4,13 @@
 
 #include "common/option_text.hpp"
 
+#include "vesper/astro/spherical.hpp"
+#include "vesper/atmosphere/star_extinction_table.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/worker_pool.hpp"
+#include "vesper/light/photometry.hpp"
+#include "vesper/sky/moon_shadow.hpp"
+#include "vesper/sky/sky_light.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -62,25 +67,16 @@ std::size_t find_star(std::string_view id, const StarCatalogue& catalogue) {
   return static_cast<std::size_t>(found - catalogue.identities.begin());
 }
 
-bool blank(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
-
-struct Place {
-  Equatorial equatorial;
-  Horizontal horizontal;
-};
-
-std::vector<Place> places_of(const std::vector<RequestedStar>& stars, const StarFrame& frame) {
-  constexpr std::size_t stars_per_chunk = 1024;
-  std::vector<Place> places(stars.size());
-  parallel_for(stars.size(), stars_per_chunk, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 icrs = star_place_icrs(stars[i].star, place_frame(frame, stars[i].epoch_jyear));
-      places[i] = {equatorial_of(frame.equator_of_date_from_icrs * icrs),
-                   horizontal_of(frame.horizon_from_icrs * icrs)};
-    }
-  });
-  return places;
+/// Whether it is seen, or what hides it; nothing of a star of unknown magnitude that stands above the horizon.
+std::string_view visibility_text(const RequestedStar& star, const StarSight& sight) {
+  return star.magnitude || sight.hidden == Hidden::below_horizon ? name_of(sight.hidden) : "";
 }
+
+Vec3 direction_of(const Horizontal& place) {
+  return unit_vector((90.0 * deg - place.azimuth).to(rad), place.altitude.to(rad));
+}
+
+bool blank(std::string_view text) { return text.find_first_not_of(" \t") == std::string_view::npos; }
 
 } // namespace
 
@@ -96,8 +92,12 @@ std::vector<RequestedStar> stars_by_id(std::string_view ids, const StarCatalogue
     const std::size_t index = find_star(id, catalogue);
     // The shortest decimal form of the float, not its binary neighbour in double precision.
     const std::string magnitude = fmt::format("{}", catalogue.identities[index].magnitude);
-    stars.push_back({std::string(id), catalogue_star(catalogue.stars[index]), catalogue.provenance.epoch_jyear,
-                     std::stod(magnitude)});
+    const StarRecord& record = catalogue.stars[index];
+    const auto& color = record.color;
+    const double v = std::stod(magnitude);
+    stars.push_back({std::string(id), catalogue_star(record), catalogue.provenance.epoch_jyear, v,
+                     Vec4(color[0], color[1], color[2], color[3]),
+                     static_cast<double>(record.illuminance) * lux / illuminance_of_v(v, 1.0)});
   }
   return stars;
 }
@@ -140,11 +140,58 @@ std::vector<RequestedStar> stars_of_table(const CsvTable& table) {
   return stars;
 }
 
-std::string star_report_csv(const std::vector<RequestedStar>& stars, const StarFrame& frame) {
-  const std::vector<Place> places = places_of(stars, frame);
-  std::string csv = "id,right_ascension_deg,declination_deg,azimuth_deg,altitude_deg,magnitude\n";
+std::vector<ReportedPlace> reported_places(const std::vector<RequestedStar>& stars, const StarFrame& frame) {
+  constexpr std::size_t stars_per_chunk = 1024;
+  std::vector<ReportedPlace> places(stars.size());
+  parallel_for(stars.size(), stars_per_chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 icrs = star_place_icrs(stars[i].star, place_frame(frame, stars[i].epoch_jyear));
+      places[i] = {equatorial_of(frame.equator_of_date_from_icrs * icrs),
+                   horizontal_of(frame.horizon_from_icrs * icrs)};
+    }
+  });
+  return places;
+}
+
+std::vector<StarSight> star_sights(const std::vector<RequestedStar>& stars, const std::vector<ReportedPlace>& places,
+                                   const SkyState& sky, const SceneAir& air) {
+  const Refraction refraction = with_table(sky.refraction);
+  const Length height = height_in_air(sky.observer);
+  const StarExtinction extinction =
+      make_star_extinction(air.medium(), height,
+                           refraction.model == RefractionModel::none ? std::nullopt : std::optional(refraction.conditions));
+  const Angle horizon = horizon_altitude(refraction, sky.observer.height);
+  std::vector<Horizontal> directions;
+  directions.reserve(places.size());
+  for (const ReportedPlace& place : places) {
+    directions.push_back(place.horizontal);
+  }
+  std::optional<EclipsedSky> eclipse;
+  if (moon_shadow(sky, {})) {
+    eclipse.emplace(air.eclipsed(), moon_shadow(sky, air.eclipsed()->wavelengths_nm()).value(), height, 1);
+  }
+  const std::vector<SkyBackground> backgrounds =
+      sky_backgrounds(sky, air.medium(), air.shared_tables(), air.dark_sky(), directions, eclipse ? &*eclipse : nullptr);
+  std::vector<StarSight> sights;
+  sights.reserve(stars.size());
   for (std::size_t i = 0; i < stars.size(); ++i) {
-    const Place& place = places[i];
+    const RequestedStar& star = stars[i];
+    const Vec3 seen = apparent_direction(direction_of(directions[i]), refraction);
+    const auto through_air = [&](double sine) {
+      return PointLight{star.light * star_extinction(extinction, sine, star.light), star.lux_ratio};
+    };
+    sights.push_back(star_sight({star.magnitude.value_or(-100.0), latitude_of(seen), through_air(seen.z), through_air(1.0)},
+                                backgrounds[i], sky.sun.altitude, horizon, air.field_factor()));
+  }
+  return sights;
+}
+
+std::string star_report_csv(const std::vector<RequestedStar>& stars, const std::vector<ReportedPlace>& places,
+                            const std::vector<StarSight>& sights) {
+  std::string csv = "id,right_ascension_deg,declination_deg,azimuth_deg,altitude_deg,magnitude";
+  csv += sights.empty() ? "\n" : ",limiting_magnitude,visibility\n";
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    const ReportedPlace& place = places[i];
     append_csv_field(csv, stars[i].id);
     for (const Angle angle : {place.equatorial.right_ascension, place.equatorial.declination, place.horizontal.azimuth,
                               place.horizontal.altitude}) {
@@ -155,13 +202,19 @@ std::string star_report_csv(const std::vector<RequestedStar>& stars, const StarF
     if (stars[i].magnitude) {
       append_number(csv, *stars[i].magnitude);
     }
+    if (!sights.empty()) {
+      csv += ',';
+      append_number(csv, sights[i].limiting_magnitude);
+      csv += ',';
+      csv += visibility_text(stars[i], sights[i]);
+    }
     csv += '\n';
   }
   return csv;
 }
 
-std::string star_report_json(const std::vector<RequestedStar>& stars, const StarFrame& frame) {
-  const std::vector<Place> places = places_of(stars, frame);
+std::string star_report_json(const std::vector<RequestedStar>& stars, const std::vector<ReportedPlace>& places,
+                             const std::vector<StarSight>& sights) {
   auto json = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < stars.size(); ++i) {
     nlohmann::ordered_json row;
@@ -171,6 +224,10 @@ std::string star_report_json(const std::vector<RequestedStar>& stars, const Star
     row["azimuth_deg"] = places[i].horizontal.azimuth.to(deg);
     row["altitude_deg"] = places[i].horizontal.altitude.to(deg);
     row["magnitude"] = stars[i].magnitude ? nlohmann::ordered_json(*stars[i].magnitude) : nlohmann::ordered_json();
+    if (!sights.empty()) {
+      row["limiting_magnitude"] = sights[i].limiting_magnitude;
+      row["visibility"] = visibility_text(stars[i], sights[i]);
+    }
     json.push_back(std::move(row));
   }
   return json.dump(2) + "\n";

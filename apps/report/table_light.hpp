@@ -2,19 +2,16 @@
 #pragma once
 
 #include "vesper/atmosphere/sky_tables.hpp"
-#include "vesper/base/vector.hpp"
 #include "vesper/sky/sky_light.hpp"
 
 namespace vesper {
-
-/// A light over the tables: what turns their X, Y, Z, S (above 1 lux of sunlight) into those above this light.
-[[nodiscard]] Mat4 from_table_light(const SkyLight& light);
 
 /// What a light gives at a place.
 struct SourceLight {
   double direct_lux = 0.0;             ///< on a level surface, by itself
   double diffuse_lux = 0.0;            ///< on the same, by way of air and ground
   double zenith_luminance_cd_m2 = 0.0; ///< of the sky, without discs
+  double zenith_scotopic_cd_m2 = 0.0;  ///< by the tables alone
 };
 
 struct SceneLight {

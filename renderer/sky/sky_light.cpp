@@ -4,6 +4,7 @@
 #include "vesper/astro/spherical.hpp"
 #include "vesper/light/moonlight.hpp"
 #include "vesper/light/response_functions.hpp"
+#include "vesper/light/response_matrix.hpp"
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/eclipse_light.hpp"
 #include "vesper/sky/moon_illumination.hpp"
@@ -54,6 +55,11 @@ std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun) {
   const Length height = height_in_air(sky.observer);
   std::erase_if(lights, [&](const SkyLight& light) { return !lights_the_air(light, height); });
   return lights;
+}
+
+Mat4 from_table_light(const SkyLight& light) {
+  const double all = integrate_xyzs(light.irradiance).y;
+  return all > 0.0 ? all * response_matrix(solar_irradiance_1au(), light.irradiance) : Mat4(0.0);
 }
 
 Length height_in_air(const Observer& observer) { return std::max(observer.height, 0.0 * metre); }

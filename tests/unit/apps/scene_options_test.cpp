@@ -251,6 +251,7 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
              : option.name == "sky"        ? "\"tables\""
              : option.name == "solar-flux" ? "107"
              : option.name == "danjon"     ? "3"
+             : option.name == "field-factor" ? "2"
              : option.name == "sky-glow"   ? "0.007"
                                            : "7") +
             "\n";
