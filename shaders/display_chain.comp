@@ -7,6 +7,9 @@
 #include "lib/visibility.glsl"
 #include "lib/mesopic.glsl"
 #include "lib/tone.glsl"
+#ifdef FALSE_COLOR
+#include "lib/false_color.glsl"
+#endif
 #include "lib/display.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -50,8 +53,11 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
     // A pixel in the middle of a star holds a fourth of its light.
     vec4 on_retina = point * (4.0 * pixel_sr / point_image_sr);
     vec3 seen_point = seen_color(point, cone_share(on_retina));
-    float weight = points_as_seen == 0 ? point.y : seen_light(point.y, point.w, cones) * pixel_sr / display.pixel_sr;
-    float more = exp2(node.y) * weight;
+    float more = exp2(node.y) * point.y;
+    if (points_as_seen != 0) {
+      float lux = seen_light(point.y, point.w, cones) * pixel_sr;
+      more = exp2(node.y) * point_boost(lux * exp2(-node.z)) * lux / display.pixel_sr;
+    }
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
     color *= under_ceiling(shown, more, display.range_cd_m2) / (shown + more);
   }

@@ -1,4 +1,5 @@
 // vesper-render: one picture of the sky, without a window.
+#include "common/display_options.hpp"
 #include "common/program.hpp"
 #include "common/scene_options.hpp"
 #include "common/sky_tables_cache.hpp"
@@ -11,6 +12,7 @@
 #include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/renderer.hpp"
+#include "vesper/plan/display_files.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/sky/sky_state.hpp"
 
@@ -38,6 +40,7 @@ struct RenderOptions {
   std::string scintillation = "on";
   std::string extinction = "on";
   std::string refraction = "on";
+  std::string exr = "scene"; // what an EXR holds
   double exposure_time_s = AirOptions{}.exposure_s;
   std::string tone = "visibility";
   double exposure_stops = 0.0;
@@ -47,9 +50,11 @@ struct RenderOptions {
   bool timings = false;
 };
 
-enum class OutputKind { png, exr };
+/// Display pixels, the scene's light or linear display values.
+enum class OutputKind { png, scene_exr, display_exr };
 
-OutputKind output_kind(const std::string& path) {
+OutputKind output_kind(const RenderOptions& options) {
+  const std::string& path = options.output;
   std::string extension = std::filesystem::path(path).extension().string();
   for (char& c : extension) {
     c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -58,7 +63,7 @@ OutputKind output_kind(const std::string& path) {
     return OutputKind::png;
   }
   if (extension == ".exr") {
-    return OutputKind::exr;
+    return options.exr == "scene" ? OutputKind::scene_exr : OutputKind::display_exr;
   }
   throw Error(ErrorKind::argument, fmt::format("--output {} names no picture format", path),
               {"", "", "End the name in .png (display pixels) or .exr (X, Y, Z, S in cd/m2)"});
@@ -74,7 +79,18 @@ std::string air_text(const Refraction& refraction) {
                            refraction.conditions.temperature_c);
 }
 
-ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan) {
+std::string units_text(OutputKind kind, const Display& display) {
+  if (kind == OutputKind::scene_exr) {
+    return "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2";
+  }
+  return fmt::format("{} of a display: peak {} cd/m2, black {}, ambient {}, primaries {}, transfer {}",
+                     kind == OutputKind::png ? "code values" : "linear R, G, B", display.peak.to(candela_per_m2),
+                     display.black.to(candela_per_m2), display.ambient.to(candela_per_m2),
+                     primaries_names()[static_cast<std::size_t>(display.primaries)],
+                     transfer_names()[static_cast<std::size_t>(display.transfer)]);
+}
+
+ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan, const std::string& units) {
   const View& view = scene.view;
   return {
       {"vesper:time", to_iso8601(scene.instant)},
@@ -85,7 +101,7 @@ ImageMetadata describe(const SceneOptions& scene, const FramePlan& plan) {
       {"vesper:view", fmt::format("{}, azimuth {} deg, altitude {} deg, roll {} deg, fov {} deg",
                                   projection_names()[static_cast<std::size_t>(view.projection)], view.azimuth.to(deg),
                                   view.altitude.to(deg), view.roll.to(deg), view.fov.to(deg))},
-      {"vesper:units", "X Y Z: CIE 1931, Y in cd/m2; S: scotopic luminance in cd/m2"}};
+      {"vesper:units", units}};
 }
 
 void print_timings(const std::vector<gpu::PassTiming>& timings) {
@@ -108,8 +124,12 @@ DiscOptions disc_options(const RenderOptions& options) {
   return discs;
 }
 
-gpu::DisplaySettings display_settings(const RenderOptions& options) {
+gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind kind,
+                                      const DisplayOptions& display_options) {
   gpu::DisplaySettings settings;
+  settings.display = display_options.display;
+  const bool deep = kind == OutputKind::display_exr || display_options.bits == 16;
+  settings.format = deep ? gpu::PixelFormat::rgba16 : gpu::PixelFormat::rgba8;
   settings.tone.tone = *tone_operator_from_name(options.tone);
   settings.tone.stops = options.exposure_stops;
   settings.tone.exposure_value = options.exposure_value;
@@ -125,8 +145,28 @@ std::vector<std::string> tone_operators() {
   return {names.begin(), names.end()};
 }
 
-void render(const SceneOptions& scene, const RenderOptions& options) {
-  const OutputKind kind = output_kind(options.output);
+void write_picture(const gpu::Frame& frame, OutputKind kind, const std::string& path, const Display& display,
+                   const ImageMetadata& metadata) {
+  switch (kind) {
+  case OutputKind::png:
+    if (frame.rgba16.empty()) {
+      write_png(path, frame.width, frame.height, frame.rgba, metadata, color_tags(display));
+    } else {
+      write_png(path, frame.width, frame.height, frame.rgba16, metadata, color_tags(display));
+    }
+    break;
+  case OutputKind::scene_exr:
+    write_exr(path, frame.width, frame.height, frame.xyzs, metadata);
+    break;
+  case OutputKind::display_exr:
+    write_rgb_exr(path, frame.width, frame.height, display_signals(frame.rgba16, display), linear_colors(display),
+                  metadata);
+    break;
+  }
+}
+
+void render(const SceneOptions& scene, const RenderOptions& options, const DisplayOptions& display_options) {
+  const OutputKind kind = output_kind(options);
   require_writable(options.output);
   std::optional<StarCatalogue> own;
   if (!options.catalogue.empty()) {
@@ -164,10 +204,10 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  gpu::DisplayChain chain(shaders, display_settings(options));
+  gpu::DisplayChain chain(shaders, display_settings(options, kind, display_options));
   gpu::RenderOutputs outputs;
-  outputs.xyzs = kind == OutputKind::exr;
-  outputs.mapping = kind == OutputKind::png ? &chain : nullptr;
+  outputs.xyzs = kind == OutputKind::scene_exr;
+  outputs.mapping = outputs.xyzs ? nullptr : &chain;
   outputs.timings = options.timings;
   if (options.timings) {
     // The first frame pays for compiling programs and says nothing about a sequence.
@@ -176,11 +216,8 @@ void render(const SceneOptions& scene, const RenderOptions& options) {
   gpu::Frame frame = renderer.render(sky, scene.view, plan, outputs);
 
   const auto start = std::chrono::steady_clock::now();
-  if (kind == OutputKind::png) {
-    write_png(options.output, frame.width, frame.height, frame.rgba, describe(scene, plan));
-  } else {
-    write_exr(options.output, frame.width, frame.height, frame.xyzs, describe(scene, plan));
-  }
+  write_picture(frame, kind, options.output, display_options.display,
+                describe(scene, plan, units_text(kind, display_options.display)));
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   frame.timings.push_back({"write", elapsed.count()});
   if (options.timings) {
@@ -195,9 +232,14 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   CLI::App app{"Renders the real sky to a PNG (for a display) or an EXR (X, Y, Z, S in cd/m2).", "vesper-render"};
   prepare_program(app);
   const SceneOptionSet scene_options(app);
+  const DisplayOptionSet display_options(app);
   RenderOptions options;
   const CLI::Validator on_off = CLI::IsMember({"on", "off"});
   app.add_option("-o,--output", options.output, "picture to write: NAME.png or NAME.exr")->required();
+  app.add_option(
+         "--exr", options.exr,
+         "what an EXR holds: scene (default), its light; or display, linear R, G, B of 1 at the display's white")
+      ->check(CLI::IsMember({"scene", "display"}));
   app.add_option("--catalogue", options.catalogue, "star buffer (.glb) in place of the embedded Bright Star Catalogue");
   app.add_option("--moon-map", options.moon_map, "map of the Moon (.exr) in place of the embedded one");
   const CLI::Range disc_scale(1.0, largest_disc_scale);
@@ -233,5 +275,5 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");
-  return run_program(argc, argv, app, [&] { render(scene_options.resolve(), options); });
+  return run_program(argc, argv, app, [&] { render(scene_options.resolve(), options, display_options.resolve()); });
 }

@@ -1,6 +1,7 @@
 // The only file that includes OpenImageIO: it is slow to compile.
 #include "vesper/assets/image_file.hpp"
 
+#include "vesper/assets/png_chunk.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/files.hpp"
 
@@ -23,7 +24,8 @@ void describe(OIIO::ImageSpec& spec, const ImageMetadata& metadata) {
 
 /// Encodes in memory, so that the file is replaced in one step and every write error is seen.
 void write(const std::filesystem::path& path, const char* format, OIIO::ImageSpec spec, const OIIO::TypeDesc& type,
-           const void* pixels, OIIO::stride_t pixel_stride, const ImageMetadata& metadata) {
+           const void* pixels, OIIO::stride_t pixel_stride, const ImageMetadata& metadata,
+           const ColorTags& colors = {}) {
   describe(spec, metadata);
   std::vector<unsigned char> encoded;
   OIIO::Filesystem::IOVecOutput memory(encoded);
@@ -33,7 +35,25 @@ void write(const std::filesystem::path& path, const char* format, OIIO::ImageSpe
     throw Error(ErrorKind::file, "cannot be encoded: " + (output ? output->geterror() : OIIO::geterror()),
                 {path.string(), "", "Check the OpenImageIO installation"});
   }
+  for (const auto& [type_name, data] : colors.chunks) {
+    insert_png_chunk(encoded, type_name, data);
+  }
   write_file_atomically(path, std::as_bytes(std::span(encoded)));
+}
+
+/// Numbers of 8 or 16 bits.
+template <class Number>
+void write_rgb_png(const std::filesystem::path& path, int width, int height, std::span<const Number> rgba,
+                   const ImageMetadata& metadata, const ColorTags& colors) {
+  constexpr OIIO::TypeDesc type(sizeof(Number) == 1 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::UINT16);
+  OIIO::ImageSpec spec(width, height, 3, type);
+  if (colors.icc_profile.empty()) {
+    spec.attribute("oiio:ColorSpace", "sRGB");
+  } else {
+    spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(colors.icc_profile.size())),
+                   colors.icc_profile.data());
+  }
+  write(path, "png", spec, type, rgba.data(), 4 * sizeof(Number), metadata, colors);
 }
 
 FloatImage read(const std::string& name, OIIO::Filesystem::IOProxy* memory) {
@@ -111,10 +131,24 @@ void write_exr_rows(const std::filesystem::path& path, int width, int height, co
 }
 
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,
-               const ImageMetadata& metadata) {
-  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("oiio:ColorSpace", "sRGB");
-  write(path, "png", spec, OIIO::TypeDesc::UINT8, rgba.data(), 4, metadata);
+               const ImageMetadata& metadata, const ColorTags& colors) {
+  write_rgb_png(path, width, height, rgba, metadata, colors);
+}
+
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint16_t> rgba,
+               const ImageMetadata& metadata, const ColorTags& colors) {
+  write_rgb_png(path, width, height, rgba, metadata, colors);
+}
+
+void write_rgb_exr(const std::filesystem::path& path, int width, int height, std::span<const float> rgb,
+                   const LinearColors& colors, const ImageMetadata& metadata) {
+  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::FLOAT);
+  spec.attribute("compression", "zip");
+  spec.attribute("chromaticities",
+                 OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, static_cast<int>(colors.chromaticities.size())),
+                 colors.chromaticities.data());
+  spec.attribute("whiteLuminance", colors.white_cd_m2);
+  write(path, "exr", spec, OIIO::TypeDesc::FLOAT, rgb.data(), OIIO::AutoStride, metadata);
 }
 
 FloatImage read_image(const std::filesystem::path& path) { return read(path.string(), nullptr); }

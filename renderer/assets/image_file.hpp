@@ -1,6 +1,7 @@
 // Pictures in files.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -33,9 +34,27 @@ void write_exr_rows(const std::filesystem::path& path, int width, int height, co
                     const ImageMetadata& metadata,
                     const std::function<void(int first_row, std::span<float> values)>& fill_rows);
 
-/// Writes display pixels as PNG, 8-bit RGB, sRGB. `rgba` holds 4 bytes a pixel; alpha is dropped.
+/// What a PNG says of the colours that its numbers mean.
+struct ColorTags {
+  std::vector<std::byte> icc_profile;                                 ///< empty for sRGB
+  std::vector<std::pair<std::string, std::vector<std::byte>>> chunks; ///< further ones, type and data
+};
+
+/// Writes code values of a display as PNG, RGB of 8 or 16 bits. `rgba` holds 4 numbers a pixel; alpha is dropped.
 void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint8_t> rgba,
-               const ImageMetadata& metadata);
+               const ImageMetadata& metadata, const ColorTags& colors = {});
+void write_png(const std::filesystem::path& path, int width, int height, std::span<const std::uint16_t> rgba,
+               const ImageMetadata& metadata, const ColorTags& colors = {});
+
+/// What the numbers of an EXR's channels R, G and B mean.
+struct LinearColors {
+  std::array<float, 8> chromaticities{}; ///< x and y of red, green, blue and white
+  float white_cd_m2 = 0.0F;              ///< luminance of 1, 1, 1
+};
+
+/// Writes linear components as OpenEXR: 32-bit float channels R, G, B, else as write_exr. `rgb` holds 3 floats a pixel.
+void write_rgb_exr(const std::filesystem::path& path, int width, int height, std::span<const float> rgb,
+                   const LinearColors& colors, const ImageMetadata& metadata);
 
 /// A float picture as read back: `channels.size()` floats a pixel.
 struct FloatImage {

@@ -54,6 +54,11 @@ void validate(const Display& display) {
                 fmt::format("the display's black of {} cd/m2 leaves no range below its peak of {}", black, peak),
                 {"", "", "Give a black of at most half the peak"});
   }
+  if (display.transfer == Transfer::pq && display.dome_gain * peak > f64::pq_peak_cd_m2) {
+    throw Error(ErrorKind::argument,
+                fmt::format("the display's peak of {} cd/m2 has no code value in PQ", display.dome_gain * peak),
+                {"", "", fmt::format("Give a peak, times the dome's gain, of at most {}", f64::pq_peak_cd_m2)});
+  }
 }
 
 f64::DisplayModel display_model(const Display& display) {

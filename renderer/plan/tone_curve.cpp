@@ -220,10 +220,10 @@ ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& hi
     const double luminance = std::exp2(octave_of(node));
     const double on_display =
         f64::threshold_illuminance_lux(curve.floor_cd_m2 + std::exp2(shown[node]), f64::default_field_factor);
-    const double points = settings.tone == ToneOperator::photographic
-                              ? shown.front() - octave_of(0)
-                              : std::log2(on_display / point_threshold_lux(as_background(luminance), state, field));
-    curve.nodes[node] = {shown[node], points, 0.0, 0.0};
+    const double threshold = point_threshold_lux(as_background(luminance), state, field);
+    const double points = settings.tone == ToneOperator::photographic ? shown.front() - octave_of(0)
+                                                                      : std::log2(on_display / threshold);
+    curve.nodes[node] = {shown[node], points, std::log2(threshold), 0.0};
   }
   return curve;
 }

@@ -156,19 +156,26 @@ FN vec3 display_light(vec3 codes, DisplayModel display, Real mean_cd_m2) {
 
 // Code values, 0 to 1, with noise before their rounding, so that no contour shows and the mean is kept: triangular over
 // -1 to 1 steps (Lipshitz, Wannamaker and Vanderkooy 1992, J. Audio Eng. Soc. 40, 355), and within half a step of black
-// and white as much narrower as keeps it from being cut there. Black and white themselves stay. Each of the two uniform
-// numbers that make it up serves the pixel to the right too, with the other sign: along rows noise is blue.
-// column, row: of the pixel in the picture. seed: of the noise, another for each frame of a sequence. steps: between
+// and white as much narrower as keeps it from being cut there. Black and white themselves stay.
+// It is the sum of two uniform sequences that fill their range evenly over any few neighbours, channels and frames
+// (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"), so that little of it is left at the low
+// frequencies that the eye sees; a quarter of one is hashed, which breaks up their lattice.
+// column, row: of the pixel in the picture. seed: of the noise, the number of the frame in a sequence. steps: between
 // black and white.
 FN vec3 dithered(vec3 codes, uint column, uint row, uint seed, Real steps) {
-  uint line = hash_pair(row, seed);
-  uint here = hash_uint(column ^ line);
-  uint left = hash_uint((column - 1u) ^ line);
-  vec3 wide = vec3(Real(here & 1023u), Real((here >> 10u) & 1023u), Real((here >> 20u) & 1023u));
-  vec3 narrow = vec3(Real(left & 1023u), Real((left >> 10u) & 1023u), Real((left >> 20u) & 1023u));
+  // Shares of 2^32: powers of 0.7548776662 (of the plane's sequence), 0.6180339887 (of the line's) and a third.
+  uint first = column * 3242174889u + row * 2447445414u + seed * 2654435769u;
+  uint second = column * 2447445414u - row * 3242174889u - seed * 2654435769u;
+  uint third = 1431655765u;
+  uint hashed = hash_uint((row * 16384u + column) ^ hash_uint(seed));
+  uint quarter = 1073740800u; // 1023 of 4096
+  vec3 wide = vec3(hash_unit(first), hash_unit(first + third), hash_unit(first - third));
+  vec3 narrow =
+      vec3(hash_unit(second + ((hashed << 20u) & quarter)), hash_unit(second + third + ((hashed << 10u) & quarter)),
+           hash_unit(second - third + (hashed & quarter)));
   vec3 room = clamp(min(codes, vec3(Real(1.0)) - codes) * (Real(2.0) * steps), vec3(Real(0.0)), vec3(Real(1.0)));
-  vec3 noise = (wide - vec3(Real(511.5))) - room * (narrow - vec3(Real(511.5)));
-  return codes + noise / (Real(1024.0) * steps);
+  vec3 noise = Real(0.9999) * (wide - vec3(Real(0.5))) + room * (narrow - vec3(Real(0.5)));
+  return codes + noise / steps;
 }
 
 // CIE XYZ to linear sRGB (IEC 61966-2-1 primaries, D65 white).
