@@ -1,6 +1,10 @@
 // From the light of a strip to the code values of a display: what the eye's glare and acuity leave (EYE), colour by rods and
-// cones, tone curve, points of light, the display's gamut and transfer, dither. FALSE_COLOR has colours for luminance.
+// cones, tone curve, points of light, the display's gamut and transfer (TRANSFER), dither. FALSE_COLOR has colours for
+// luminance.
 #include "prelude.glsl"
+#ifndef TRANSFER
+#define TRANSFER 0
+#endif
 #include "lib/hash.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
@@ -45,21 +49,21 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   float cones = cone_share(extended);
   vec3 seen = seen_color(extended, cones);
   float luminance = max(seen.y, 0.0);
-  vec4 node = tone_curve(luminance, curve);
-  float shown = luminance > 0.0 ? exp2(node.x) : 0.0;
-  vec3 color = seen * (shown / max(luminance, 1.0e-30));
-  if (point.y > 0.0) {
+  vec3 tone = tone_curve(luminance, curve);
+  vec3 color = seen * (tone.x / max(luminance, 1.0e-30));
+  // A loop of one round and no branch: software drivers leave out loops that nobody enters, but go through branches.
+  int rounds = point.y > 0.0 ? 1 : 0;
+  for (int i = 0; i < rounds; ++i) {
     float pixel_sr = 1.0 / max(pixels_per_steradian(at, PixelFrame(PROJECTION, size, focal)), 1.0e-6);
     // A pixel in the middle of a star holds a fourth of its light.
-    vec4 on_retina = point * (4.0 * pixel_sr / point_image_sr);
-    vec3 seen_point = seen_color(point, cone_share(on_retina));
-    float more = exp2(node.y) * point.y;
+    vec3 seen_point = seen_color(point, cone_share(point * (4.0 * pixel_sr / point_image_sr)));
+    float more = tone.y * point.y;
     if (points_as_seen != 0) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
-      more = exp2(node.y) * point_boost(lux * exp2(-node.z)) * lux / display.pixel_sr;
+      more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
-    color *= under_ceiling(shown, more, display.range_cd_m2) / (shown + more);
+    color *= under_ceiling(tone.x, more, display.range_cd_m2) / (tone.x + more);
   }
   return signal_of(color);
 }
@@ -86,7 +90,9 @@ void main() {
 #else
   vec3 signal = mapped(extended, point, pixel);
 #endif
-  vec3 codes = vec3(transfer_encode(signal.x, display), transfer_encode(signal.y, display),
-                    transfer_encode(signal.z, display));
+  DisplayModel coded = display;
+  coded.transfer = TRANSFER;
+  vec3 codes = vec3(transfer_encode(signal.x, coded), transfer_encode(signal.y, coded),
+                    transfer_encode(signal.z, coded));
   imageStore(pixels, at, vec4(dithered(codes, uint(at.x), uint(strip.x + at.y), seed, steps), 1.0));
 }

@@ -58,7 +58,8 @@ void DisplayChain::find_curve() {
   histogram_ = meter_.histogram();
   curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
   nodes_ = texture_of(curve_);
-  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection))};
+  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection)),
+                                   fmt::format("TRANSFER {}", display_.transfer)};
   if (settings_.tone.tone == ToneOperator::false_color) {
     defines.emplace_back("FALSE_COLOR");
   }

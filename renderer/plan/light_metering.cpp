@@ -14,7 +14,7 @@ namespace {
 constexpr double fewest_cells = 24.0;
 constexpr double most_cells = 120.0;
 /// Samples of a picture, about.
-constexpr double all_samples = 131072.0;
+constexpr double all_samples = 65536.0;
 constexpr int most_samples = 8;
 
 double field_deg(const View& view) {

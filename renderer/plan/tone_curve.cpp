@@ -217,13 +217,16 @@ ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& hi
   const AdaptationState field = adapted_to(histogram);
   curve.nodes.resize(shown.size());
   for (std::size_t node = 0; node < shown.size(); ++node) {
-    const double luminance = std::exp2(octave_of(node));
-    const double on_display =
-        f64::threshold_illuminance_lux(curve.floor_cd_m2 + std::exp2(shown[node]), f64::default_field_factor);
+    const std::size_t next = std::min(node + 1, shown.size() - 1);
+    const double here = std::exp2(shown[node]);
+    // Of points, what holds in the middle between two nodes.
+    const double luminance = std::exp2(octave_of(node) + 0.5 * octaves_per_node);
     const double threshold = point_threshold_lux(as_background(luminance), state, field);
-    const double points = settings.tone == ToneOperator::photographic ? shown.front() - octave_of(0)
-                                                                      : std::log2(on_display / threshold);
-    curve.nodes[node] = {shown[node], points, std::log2(threshold), 0.0};
+    const double on_display = f64::threshold_illuminance_lux(
+        curve.floor_cd_m2 + std::exp2(0.5 * (shown[node] + shown[next])), f64::default_field_factor);
+    const double points =
+        settings.tone == ToneOperator::photographic ? std::exp2(shown.front() - octave_of(0)) : on_display / threshold;
+    curve.nodes[node] = {here, std::exp2(shown[next]) - here, points, 1.0 / threshold};
   }
   return curve;
 }

@@ -30,13 +30,14 @@ struct ToneSettings {
   std::optional<double> exposure_value;
 };
 
-/// log2 of the luminance that the display adds to its floor, by luminance as it is seen in the scene, cd/m2; and that
-/// of points. In the form of shaders/lib/tone.glsl.
+/// Luminance on the display by luminance as it is seen in the scene, in the form of tone_curve() in
+/// shaders/lib/tone.glsl.
 struct ToneCurve {
-  /// x: log2 of luminance added, never falling.
-  /// y: log2 of the luminance that a point adds, summed over its pixels and times a pixel's solid angle as it is seen,
-  /// over its illuminance (lux, `seen_light`): a point stands over its threshold on the display as it does in the
-  /// scene. Of photographic: of a pixel's luminance added over that of its points.
+  /// x: luminance that the display adds to its floor, cd/m2, never falling; y: its rise to the next node.
+  /// z: luminance that a point adds, summed over its pixels and times a pixel's solid angle as it is seen, over its
+  /// illuminance (lux, `seen_light`): a point at its threshold in the scene is at it on the display. Of photographic: of
+  /// a pixel's luminance added over that of its points.
+  /// w: one over that threshold in the scene, 1/lux. z and w hold within 4 % between two nodes.
   std::vector<f64::vec4> nodes;
   double floor_cd_m2 = 0.0; ///< what the display shows at its darkest, with the mean of this picture
   double mean_cd_m2 = 0.0;  ///< what it shows in the mean, by the histogram

@@ -19,33 +19,31 @@ FN Real tone_bin_luminance(Real bin) {
   return exp2(Real(tone_lowest_octave) + (bin + Real(0.5)) / Real(tone_bins_per_octave));
 }
 
-// A curve's texel at a luminance: x: log2 of the luminance that the display adds to its own floor, y: log2 of that of a
-// point over the luminance that the eye gets of it, z: log2 of a point's threshold, lux. Linear between nodes.
-FN vec4 tone_curve(Real luminance_cd_m2, sampler1D curve) {
+// What a curve makes of a luminance: x: luminance in cd/m2 that the display adds to its floor; y: the same of a point, over
+// the light that the eye gets of it; z: one over a point's threshold in the scene, 1/lux. A texel holds x, its rise to the
+// next texel, y and z.
+FN vec3 tone_curve(Real luminance_cd_m2, sampler1D curve) {
   Real octave = log2(max(luminance_cd_m2, Real(1.0e-30))) - Real(tone_lowest_octave);
   Real at = clamp(Real(tone_nodes_per_octave) * octave, Real(0.0), Real(tone_nodes - 1));
-  int node = min(int(at), tone_nodes - 2);
-  return mix(texelFetch(curve, node, 0), texelFetch(curve, node + 1, 0), at - Real(node));
+  Real node = floor(at);
+  vec4 texel = texelFetch(curve, int(node), 0);
+  return vec3(texel.x + (at - node) * texel.y, texel.z, texel.w);
 }
 
-// Share of the cones in what is seen at one place, which adapts to itself: two steps of the iteration of CIE 191:2010
-// (mesopic.glsl). Within 0.03 of its solution for light of S/P above 0.5.
+// Share of the cones in what is seen at one place, which adapts to itself: the first step of the iteration of CIE 191:2010
+// (mesopic.glsl). Within 0.08 of its solution for light of S/P from 0.5 to 2.5.
 FN Real local_cone_share(Real photopic_cd_m2, Real scotopic_cd_m2) {
-  Real m = Real(0.5);
-  for (int i = 0; i < 2; ++i) {
-    Real seen = mesopic_luminance(photopic_cd_m2, scotopic_cd_m2, m);
-    m = clamp(Real(0.7670) + Real(0.10036340) * log2(max(seen, Real(1.0e-30))), Real(0.0), Real(1.0));
-  }
-  return m;
+  Real seen = mesopic_luminance(photopic_cd_m2, scotopic_cd_m2, Real(0.5));
+  return clamp(Real(0.7670) + Real(0.10036340) * log2(max(seen, Real(1.0e-30))), Real(0.0), Real(1.0));
 }
 
 // Factor by which a point is made brighter than its threshold asks for, by its illuminance in one pixel over the threshold. A
 // picture spreads bright points over more pixels than the eye sums up, where light counts by the root of its area (Piper's
-// law) or less; a point at its threshold, which has a fourth of its light in its brightest pixel, stays as it is within 5 %,
-// one that is a thousand times brighter gains a factor of 10 where it is brightest.
+// law) or less. A point at its threshold, which has a fourth of its light in its brightest pixel, stays as it is within 5 %;
+// the brightest gain a factor of 12.
 FN Real point_boost(Real over_threshold) {
   Real x = Real(4.0) * over_threshold;
-  return sqrt(Real(1.0) + x * x / (x + Real(8.0)));
+  return sqrt((Real(1.0) + x * x / (x + Real(8.0))) / (Real(1.0) + x / Real(150.0)));
 }
 
 // A display luminance with a point's light on top: as much more where there is room, ever less towards the ceiling.

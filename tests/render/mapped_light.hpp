@@ -21,7 +21,11 @@ struct PictureLight {
 };
 
 inline View square_view(int side, Angle fov = 60.0 * deg) {
-  return {.projection = Projection::perspective, .altitude = 90.0 * deg, .fov = fov, .width = side, .height = side};
+  View view;
+  view.projection = Projection::perspective;
+  view.fov = fov;
+  view.width = view.height = side;
+  return view;
 }
 
 /// Even light of the display's white.
