@@ -55,10 +55,10 @@ struct SceneOptions {
   std::shared_ptr<const Medium> medium; ///< the air; scene_from always gives one
   LayerSet layers = all_layers();
   SkyModel sky = SkyModel::tables;
-  DarkSkyOptions dark_sky;             ///< the Sun's activity and artificial light
-  double danjon = EclipseAir().danjon; ///< L of the Earth's air in eclipses of the Moon
+  DarkSkyOptions dark_sky;                         ///< the Sun's activity and artificial light
+  double danjon = EclipseAir().danjon;             ///< L of the Earth's air in eclipses of the Moon
   double field_factor = f64::default_field_factor; ///< how much light the observer needs: star_visibility.hpp
-  std::uint64_t seed = 0;              ///< of everything random
+  std::uint64_t seed = 0;                          ///< of everything random
 };
 
 /// Option values as text with where they were given, by option name without dashes. Later sources overwrite earlier.

@@ -11,7 +11,8 @@ namespace vesper {
 ///   in part) and that of the sky and the ground; and of the dark sky's own light. Stars and planets that are points
 ///   add nothing.
 /// - zenith_luminance_cd_m2: of the sky there, without the discs of Sun and Moon.
-/// - limiting_magnitude: V above the air of the faintest star seen in the zenith (star_visibility.hpp), by the tables in
+/// - limiting_magnitude: V above the air of the faintest star seen in the zenith (star_visibility.hpp), by the tables
+/// in
 ///   any model.
 /// - sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2, and the same of the
 ///   Moon: what the two before are sums of.

@@ -235,7 +235,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "--columns", options.columns,
          "Comma-separated quantities to report, also venus_magnitude and its like, sun_magnitude, sun_illuminance_lux "
          "and sun_disc_luminance_cd_m2 above the air, the Moon's, moon_danjon of its eclipses, "
-         "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2, limiting_magnitude (V "
+         "zenith_extinction_v_mag of the medium, horizontal_illuminance_lux, zenith_luminance_cd_m2, "
+         "limiting_magnitude (V "
          "above the air of the faintest star seen in the zenith) and, by source, "
          "sun_direct_illuminance_lux, sun_diffuse_illuminance_lux, sun_zenith_luminance_cd_m2 and the Moon's, "
          "airglow_illuminance_lux, airglow_zenith_luminance_cd_m2 and those of zodiacal, starlight and sky_glow; "
@@ -253,9 +254,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
                    "parallax_mas, radial_velocity_km_s")
       ->type_name("FILE");
 
-  stars->add_flag("--visibility", options.visibility,
-                  "Two columns more: limiting_magnitude, V above the air of the faintest star of its colour that is seen "
-                  "in its place, and visibility: visible, or what hides it");
+  stars->add_flag(
+      "--visibility", options.visibility,
+      "Two columns more: limiting_magnitude, V above the air of the faintest star of its colour that is seen "
+      "in its place, and visibility: visible, or what hides it");
 
   CLI::App* eclipses = app.add_subcommand("eclipses", "Eclipses of a span of years, as CSV or JSON");
   eclipses->add_option("--from", options.from, "Year, date or instant of the first")->type_name("TIME");

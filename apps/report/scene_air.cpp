@@ -49,8 +49,7 @@ std::shared_ptr<const DarkAir> SceneAir::dark_air(Length height) const {
   if (parts_->dark_airs.size() >= most_heights) {
     parts_->dark_airs.clear();
   }
-  return parts_->dark_airs
-      .emplace(height, std::make_shared<const DarkAir>(medium(), tables, height, dark_sky().glow))
+  return parts_->dark_airs.emplace(height, std::make_shared<const DarkAir>(medium(), tables, height, dark_sky().glow))
       .first->second;
 }
 

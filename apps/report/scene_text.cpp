@@ -241,9 +241,11 @@ std::string scene_text(const SkyState& sky, const StarCatalogue& catalogue, cons
   if (const std::string planets = planets_text(sky); !planets.empty()) {
     fmt::format_to(out, "\nPlanets up\n{}", planets);
   }
-  const bool hidden = sky.sun.altitude > civil_twilight_end;
-  fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (hidden by daylight)" : "");
-  for (const Up& up : stars_up(sky, catalogue)) {
+  const std::vector<Up> stars = stars_up(sky, catalogue);
+  const bool hidden =
+      limiting_magnitude && !stars.empty() && static_cast<double>(stars.front().star->magnitude) > *limiting_magnitude;
+  fmt::format_to(out, "\nBrightest stars up{}\n", hidden ? " (too faint to be seen now)" : "");
+  for (const Up& up : stars) {
     const Horizontal place = horizontal_of(up.direction);
     fmt::format_to(out, "  {:<16} {:5.2f} mag  {}\n", star_label(*up.star), up.star->magnitude,
                    where(place.azimuth, place.altitude));

@@ -157,9 +157,9 @@ std::vector<StarSight> star_sights(const std::vector<RequestedStar>& stars, cons
                                    const SkyState& sky, const SceneAir& air) {
   const Refraction refraction = with_table(sky.refraction);
   const Length height = height_in_air(sky.observer);
-  const StarExtinction extinction =
-      make_star_extinction(air.medium(), height,
-                           refraction.model == RefractionModel::none ? std::nullopt : std::optional(refraction.conditions));
+  const StarExtinction extinction = make_star_extinction(
+      air.medium(), height,
+      refraction.model == RefractionModel::none ? std::nullopt : std::optional(refraction.conditions));
   const Angle horizon = horizon_altitude(refraction, sky.observer.height);
   std::vector<Horizontal> directions;
   directions.reserve(places.size());
@@ -170,8 +170,8 @@ std::vector<StarSight> star_sights(const std::vector<RequestedStar>& stars, cons
   if (moon_shadow(sky, {})) {
     eclipse.emplace(air.eclipsed(), moon_shadow(sky, air.eclipsed()->wavelengths_nm()).value(), height, 1);
   }
-  const std::vector<SkyBackground> backgrounds =
-      sky_backgrounds(sky, air.medium(), air.shared_tables(), air.dark_sky(), directions, eclipse ? &*eclipse : nullptr);
+  const std::vector<SkyBackground> backgrounds = sky_backgrounds(sky, air.medium(), air.shared_tables(), air.dark_sky(),
+                                                                 directions, eclipse ? &*eclipse : nullptr);
   std::vector<StarSight> sights;
   sights.reserve(stars.size());
   for (std::size_t i = 0; i < stars.size(); ++i) {
@@ -180,8 +180,9 @@ std::vector<StarSight> star_sights(const std::vector<RequestedStar>& stars, cons
     const auto through_air = [&](double sine) {
       return PointLight{star.light * star_extinction(extinction, sine, star.light), star.lux_ratio};
     };
-    sights.push_back(star_sight({star.magnitude.value_or(-100.0), latitude_of(seen), through_air(seen.z), through_air(1.0)},
-                                backgrounds[i], sky.sun.altitude, horizon, air.field_factor()));
+    sights.push_back(
+        star_sight({star.magnitude.value_or(-100.0), latitude_of(seen), through_air(seen.z), through_air(1.0)},
+                   backgrounds[i], sky.sun.altitude, horizon, air.field_factor()));
   }
   return sights;
 }

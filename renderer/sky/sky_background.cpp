@@ -24,8 +24,8 @@ struct SpreadSource {
 /// The dark sky at one place and instant.
 class DarkBackground {
 public:
-  DarkBackground(const DarkSky& dark, const Medium& medium, const std::shared_ptr<const SkyTables>& tables, Length height,
-                 const std::vector<Angle>& altitudes)
+  DarkBackground(const DarkSky& dark, const Medium& medium, const std::shared_ptr<const SkyTables>& tables,
+                 Length height, const std::vector<Angle>& altitudes)
       : dark_(dark), air_(medium, height, std::nullopt), scattered_(tables, height, altitudes) {
     const Spectrum& sunlight = solar_irradiance_1au();
     const Angle lowest = scattered_.lowest();
@@ -51,8 +51,8 @@ public:
     sum.zodiacal = air_.zodiacal_share(sine) * zodiacal_light(dark_, direction) + scattered(zodiacal_);
     sum.starlight = air_.starlight_share(sine) * faint_starlight(dark_, direction) + scattered(starlight_);
     if (glow_) {
-      sum.sky_glow = glow_zenith_ * (dark_.glow.azimuth ? glow_->toward(sine, azimuth - *dark_.glow.azimuth)
-                                                        : glow_->around(sine));
+      sum.sky_glow = glow_zenith_ *
+                     (dark_.glow.azimuth ? glow_->toward(sine, azimuth - *dark_.glow.azimuth) : glow_->around(sine));
     }
   }
 

@@ -14,8 +14,8 @@
 
 namespace vesper {
 
-/// Light of the sky in one direction by its sources, direct and scattered: X, Y, Z, S in cd/m2. Without the discs of Sun
-/// and Moon and without point stars.
+/// Light of the sky in one direction by its sources, direct and scattered: X, Y, Z, S in cd/m2. Without the discs of
+/// Sun and Moon and without point stars.
 struct SkyBackground {
   Vec4 sun{};
   Vec4 moon{};

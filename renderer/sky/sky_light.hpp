@@ -35,7 +35,8 @@ struct SkyLight {
 enum class SunInEclipse { as_observed, outside_the_shadow };
 [[nodiscard]] std::vector<SkyLight> lights_of(const SkyState& sky, SunInEclipse sun = SunInEclipse::as_observed);
 
-/// A light over the tables of the sky: what turns their X, Y, Z, S (above 1 lux of sunlight) into those above this light.
+/// A light over the tables of the sky: what turns their X, Y, Z, S (above 1 lux of sunlight) into those above this
+/// light.
 [[nodiscard]] Mat4 from_table_light(const SkyLight& light);
 
 /// The observer's height above the medium's ground: that above the ellipsoid, and 0 in places below it.

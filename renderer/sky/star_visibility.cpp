@@ -33,7 +33,8 @@ double limiting_magnitude(const Vec4& background, const PointLight& star, double
   if (!(seen > 0.0)) {
     return -std::numeric_limits<double>::infinity();
   }
-  const double least_lux = f64::threshold_illuminance_lux(f64::seen_light(background.y, background.w, cones), field_factor);
+  const double least_lux =
+      f64::threshold_illuminance_lux(f64::seen_light(background.y, background.w, cones), field_factor);
   return v_of_illuminance(least_lux / seen * lux, star.lux_ratio);
 }
 
@@ -56,10 +57,11 @@ StarSight star_sight(const StarView& star, const SkyBackground& background, Angl
   const auto seen = [&](const SkyBackground& sky, const PointLight& light) {
     return star.magnitude <= limiting_magnitude(sky.sum(), light, field_factor);
   };
-  const std::array hiding{
-      HidingLight{&SkyBackground::sun,
-                  sun_altitude > almanac_sunrise_altitude ? Hidden::by_daylight : Hidden::by_twilight},
-      HidingLight{&SkyBackground::moon, Hidden::by_moonlight}, HidingLight{&SkyBackground::sky_glow, Hidden::by_sky_glow}};
+  const std::array hiding{HidingLight{&SkyBackground::sun, sun_altitude > almanac_sunrise_altitude
+                                                               ? Hidden::by_daylight
+                                                               : Hidden::by_twilight},
+                          HidingLight{&SkyBackground::moon, Hidden::by_moonlight},
+                          HidingLight{&SkyBackground::sky_glow, Hidden::by_sky_glow}};
   SkyBackground natural = background;
   for (const HidingLight& light : hiding) {
     SkyBackground without = background;

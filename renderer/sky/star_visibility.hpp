@@ -45,10 +45,9 @@ struct StarView {
   PointLight in_zenith; ///< the same light, if it stood there
 };
 
-/// Of a star that is not seen, what hides it is the first of these that, taken away, would show it: the Sun's light in the
-/// air, the Moon's, that of cities; all of them together, of which the brightest is named then; the air that it stands
-/// lower in than the zenith. Else it is too faint.
-/// \param horizon altitude of the horizon as it is seen
+/// Of a star that is not seen, what hides it is the first of these that, taken away, would show it: the Sun's light in
+/// the air, the Moon's, that of cities; all of them together, of which the brightest is named then; the air that it
+/// stands lower in than the zenith. Else it is too faint. \param horizon altitude of the horizon as it is seen
 [[nodiscard]] StarSight star_sight(const StarView& star, const SkyBackground& background, Angle sun_altitude,
                                    Angle horizon, double field_factor = f64::default_field_factor);
 

@@ -1,5 +1,5 @@
-// Which stars are seen: thresholds against laboratory and published figures, limits of nights, moonlight and day, and the
-// order in which stars come out at dusk.
+// Which stars are seen: thresholds against laboratory and published figures, limits of nights, moonlight and day, and
+// the order in which stars come out at dusk.
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/shader_math.hpp"
 #include "vesper/light/night_light.hpp"
@@ -100,8 +100,7 @@ public:
   [[nodiscard]] Vec4 background(Angle altitude, Angle azimuth) const {
     return sky_backgrounds(sky_, medium_, tables_, dark_, {{90.0 * deg + azimuth, altitude}})[0].sum();
   }
-  [[nodiscard]] double limit(Angle altitude, Angle azimuth,
-                             double field_factor = f64::default_field_factor) const {
+  [[nodiscard]] double limit(Angle altitude, Angle azimuth, double field_factor = f64::default_field_factor) const {
     return limiting_magnitude(background(altitude, azimuth),
                               usual_star(air_.starlight_share(std::sin(altitude.to(rad)))), field_factor);
   }
@@ -190,18 +189,18 @@ TEST(OrderOfAppearance, AtDusk) {
     EXPECT_LT(depressions[0], -10.0) << "Venus is seen by day";
     EXPECT_LT(depressions[1], 0.83) << "Jupiter is seen at sunset (Tousey and Koomen 1953)";
     highest_sirius = altitude == 90.0 ? depressions[2] : highest_sirius;
-    // Three stars of middling brightness: seen with effort at 4.8 degrees by good eyes, at 3.8 by who knows where (Levi,
-    // The Times of the Day in Halacha).
+    // Three stars of middling brightness: seen with effort at 4.8 degrees by good eyes, at 3.8 by who knows where
+    // (Levi, The Times of the Day in Halacha).
     second.add(outside(depressions[4], 3.8, 4.8));
   }
-  // High in the sky of Canberra, by an eye that knew where to look: not half an hour before sunset, the Sun 5.3 degrees up,
-  // but 3 minutes before, 0.2 degrees below.
+  // High in the sky of Canberra, by an eye that knew where to look: not half an hour before sunset, the Sun 5.3 degrees
+  // up, but 3 minutes before, 0.2 degrees below.
   test::ErrorSum sirius;
   sirius.add(outside(highest_sirius, -5.3, 0.2));
   sirius.hold("Sirius at sunset, depression of the Sun against what was seen in Canberra", 1.0, "deg");
   second.hold("second magnitude, depression of the Sun against Levi's 3.8 to 4.8 degrees", 1.0, "deg");
-  // In most of the sky the first magnitude at the end of civil twilight, the fourth at that of nautical (Tousey and Koomen
-  // 1953): by then at the latest, from 20 degrees upward.
+  // In most of the sky the first magnitude at the end of civil twilight, the fourth at that of nautical (Tousey and
+  // Koomen 1953): by then at the latest, from 20 degrees upward.
   for (const auto& [depression, magnitude] : {std::pair(6.0, 1.0), std::pair(12.0, 4.0)}) {
     skies.put_sun(-depression * deg);
     for (const double azimuth : {0.0, 90.0, 180.0}) {
@@ -211,15 +210,15 @@ TEST(OrderOfAppearance, AtDusk) {
 }
 
 TEST(OrderOfAppearance, AtTheHorizon) {
-  // Arcus visionis as almanacs had it (Pierer's Universal-Lexikon, 5, Altenburg 1858: Venus 5, stars of the first magnitude
-  // 12 degrees) from observations under the dry skies of the south, in air that takes 0.15 mag at the zenith.
+  // Arcus visionis as almanacs had it (Pierer's Universal-Lexikon, 5, Altenburg 1858: Venus 5, stars of the first
+  // magnitude 12 degrees) from observations under the dry skies of the south, in air that takes 0.15 mag at the zenith.
   Skies skies(published_medium());
   const double venus = skies.arcus_visionis(-3.9);
   const double sirius = skies.arcus_visionis(-1.46);
   const double vega = skies.arcus_visionis(0.03);
   const double second = skies.arcus_visionis(2.0);
-  std::printf("arcus visionis, degrees: Venus %.1f, Sirius %.1f, Vega %.1f, second magnitude %.1f\n", venus, sirius, vega,
-              second);
+  std::printf("arcus visionis, degrees: Venus %.1f, Sirius %.1f, Vega %.1f, second magnitude %.1f\n", venus, sirius,
+              vega, second);
   EXPECT_LT(venus, sirius);
   EXPECT_LT(sirius, vega);
   EXPECT_LT(vega, second);
@@ -230,9 +229,9 @@ TEST(OrderOfAppearance, AtTheHorizon) {
 }
 
 TEST(OrderOfAppearance, SiriusByDayTakesAKeenEyeThatKnowsWhere) {
-  // Koennen, Tinbergen and Stammes 2015 (Applied Optics 54, B1): seen along a telescope's finder with the Sun 73 degrees
-  // high, Sirius 37. The field factor that this takes is less than that of any watcher of the night: they knew the place to
-  // minutes of arc.
+  // Koennen, Tinbergen and Stammes 2015 (Applied Optics 54, B1): seen along a telescope's finder with the Sun 73
+  // degrees high, Sirius 37. The field factor that this takes is less than that of any watcher of the night: they knew
+  // the place to minutes of arc.
   Skies skies(published_medium()); // a mountain's air
   skies.put_sun(73.0 * deg);
   const double limit = skies.limit(37.0 * deg, Angle(), 1.0);

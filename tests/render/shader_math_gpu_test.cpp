@@ -42,6 +42,9 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/moon_shadow.glsl"
 #include "lib/moon_surface.glsl"
 #include "lib/lunar_eclipse.glsl"
+#include "lib/visibility.glsl"
+#include "lib/mesopic.glsl"
+#include "lib/vision.glsl"
 #include "lib/display.glsl"
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"
@@ -253,6 +256,42 @@ std::vector<FunctionCase> function_cases() {
        {9000, 0.9F, 1, 0.1F},
        8,
        2.0e-3F},
+      {"threshold_of_a_point, in its logarithm",
+       "vec4(log(threshold_illuminance_lux(exp(v.x), v.y)), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(std::log(f32::threshold_illuminance_lux(std::exp(v.x), v.y))); },
+       {-14, 1, 0, 0},
+       {21, 2.4F, 0, 0},
+       97,
+       1.0e-4F},
+      {"seen_color",
+       "vec4(seen_color(v.x * vec4(0.9, 1.0, v.y, v.z), mesopic_cone_share(v.x, v.x * v.z)), 0)",
+       [](const glm::vec4& v) {
+         return glm::vec4(
+             f32::seen_color(v.x * glm::vec4(0.9F, 1.0F, v.y, v.z), f32::mesopic_cone_share(v.x, v.x * v.z)), 0.0F);
+       },
+       {0.001F, 0.3F, 0.5F, 0},
+       {6, 2, 4, 0},
+       17,
+       1.0e-3F},
+      {"thompson_night",
+       "vec4(thompson_night(v.xyz, 0.01, 0.1, 0.5), 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::thompson_night(glm::vec3(v), 0.01F, 0.1F, 0.5F), 0.0F); },
+       {0, 0, 0, 0},
+       {1, 1, 1, 0},
+       9,
+       1.0e-5F},
+      {"thresholds, acuity and adaptation",
+       "vec4(log(just_noticeable_cd_m2(exp(v.x))), acuity_cycles_per_degree(exp(v.x)), "
+       "log(adapted(vec2(exp(v.x), exp(v.y)), vec2(1.0, 0.1), 20.0)))",
+       [](const glm::vec4& v) {
+         const f32::vec2 adapted = f32::adapted({std::exp(v.x), std::exp(v.y)}, {1.0F, 0.1F}, 20.0F);
+         return glm::vec4(std::log(f32::just_noticeable_cd_m2(std::exp(v.x))),
+                          f32::acuity_cycles_per_degree(std::exp(v.x)), std::log(adapted.x), std::log(adapted.y));
+       },
+       {-14, -14, 0, 0},
+       {14, 14, 0, 0},
+       41,
+       1.0e-4F},
       {"disc_covered",
        "vec4(disc_covered(1.0, v.x, v.y), 0, 0, 0)",
        [](const glm::vec4& v) { return scalar(f32::disc_covered(1.0F, v.x, v.y)); },

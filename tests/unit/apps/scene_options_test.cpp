@@ -240,20 +240,20 @@ TEST_F(SceneOptionsTest, EveryOptionCanStandInASceneFile) {
   std::string text;
   for (const SceneOptionDescription& option : scene_option_table()) {
     text += std::string(option.name) + " = " +
-            (option.name == "projection"   ? "\"stereographic\""
-             : option.name == "size"       ? "\"640x480\""
-             : option.name == "tier"       ? "\"cheap\""
-             : option.name == "layers"     ? "\"ground\""
-             : option.name == "time"       ? "2026-08-12"
-             : option.name == "time-scale" ? "\"tt\""
-             : option.name == "calendar"   ? "\"gregorian\""
-             : option.name == "medium"     ? "\"published\""
-             : option.name == "sky"        ? "\"tables\""
-             : option.name == "solar-flux" ? "107"
-             : option.name == "danjon"     ? "3"
+            (option.name == "projection"     ? "\"stereographic\""
+             : option.name == "size"         ? "\"640x480\""
+             : option.name == "tier"         ? "\"cheap\""
+             : option.name == "layers"       ? "\"ground\""
+             : option.name == "time"         ? "2026-08-12"
+             : option.name == "time-scale"   ? "\"tt\""
+             : option.name == "calendar"     ? "\"gregorian\""
+             : option.name == "medium"       ? "\"published\""
+             : option.name == "sky"          ? "\"tables\""
+             : option.name == "solar-flux"   ? "107"
+             : option.name == "danjon"       ? "3"
              : option.name == "field-factor" ? "2"
-             : option.name == "sky-glow"   ? "0.007"
-                                           : "7") +
+             : option.name == "sky-glow"     ? "0.007"
+                                             : "7") +
             "\n";
   }
   const SceneOptions scene = resolve({"--scene", write("all.toml", text)});

@@ -209,6 +209,49 @@ TEST_F(LightColumns, OfTablesAndReferenceAgree) {
   EXPECT_NEAR(luminance, tables.at("zenith_luminance_cd_m2").get<double>(), 1.0e-9 * luminance);
 }
 
+TEST_F(LightColumns, TheFaintestStarIsThatOfTheZenith) {
+  // A star of unknown colour and magnitude at the pole, seen from there, by night and in twilight.
+  write("pole.csv",
+        "id,ra_deg,dec_deg,epoch_jyear,pm_ra_cosdec_mas_yr,pm_dec_mas_yr,parallax_mas,radial_velocity_km_s\n"
+        "pole,0,90,2026,,,,\n");
+  double last = 10.0;
+  for (const std::string time : {"2026-12-20T00:00:00Z", "2026-10-06T00:00:00Z", "2026-06-21T00:00:00Z"}) {
+    const std::string scene = " --latitude 90 --longitude 0 --height 0 --time " + time;
+    const json zenith = json::parse(run("--json --columns limiting_magnitude,sun_altitude_deg" + scene).out);
+    const json star = json::parse(run("stars --json --visibility --catalogue pole.csv" + scene).out).at(0);
+    const double limit = zenith.at("limiting_magnitude").get<double>();
+    EXPECT_NEAR(star.at("limiting_magnitude").get<double>(), limit, 0.01);
+    EXPECT_EQ(star.at("visibility"), "") << "without a magnitude";
+    EXPECT_LT(limit, last);
+    last = limit;
+    // Twice the light that is needed is three quarters of a magnitude.
+    const json casual = json::parse(run("--json --columns limiting_magnitude --field-factor 3.4" + scene).out);
+    EXPECT_NEAR(limit - casual.at("limiting_magnitude").get<double>(), 2.5 * std::log10(2.0), 1.0e-6);
+  }
+}
+
+TEST_F(LightColumns, StarsAreSeenOrHiddenByWhatHidesThem) {
+  const auto why = [&](const std::string& ids, const std::string& scene) {
+    const CommandResult result =
+        run("stars --visibility --ids '" + ids + "' --latitude 51.4769 --longitude 0 --height 47" + " --time " + scene);
+    EXPECT_EQ(result.status, 0) << result.err;
+    const CsvTable table = table_of(result);
+    std::vector<std::string> reasons;
+    for (std::size_t i = 0; i < table.row_count(); ++i) {
+      reasons.emplace_back(table.cell(i, table.column("visibility")));
+    }
+    return reasons;
+  };
+  using Reasons = std::vector<std::string>;
+  // Midsummer noon; the Sun 3 degrees down; moonlight; a night without a Moon, from a city and from the country.
+  EXPECT_EQ(why("Capella,Vega", "2026-06-21T12:00:00Z"), (Reasons{"in daylight", "below the horizon"}));
+  EXPECT_EQ(why("Capella,Polaris", "2026-03-20T18:30:00Z"), (Reasons{"visible", "in twilight"}));
+  EXPECT_EQ(why("Polaris,HR4893", "2026-01-03T00:00:00Z"), (Reasons{"visible", "in moonlight"}));
+  EXPECT_EQ(why("Polaris,HR4893", "2026-12-09T00:00:00Z"), (Reasons{"visible", "visible"}));
+  EXPECT_EQ(why("Polaris,HR4893", "2026-12-09T00:00:00Z --sky-glow bortle8"), (Reasons{"visible", "in sky glow"}));
+  EXPECT_EQ(run("stars --ids Vega --time 2026-06-21T12:00:00Z").out.find("visibility"), std::string::npos);
+}
+
 TEST_F(LightColumns, APictureByTablesHoldsWhatTheTableTells) {
   const std::string scene = "sky --sun-altitude 3 --size 16x16 --projection perspective --altitude 20 ";
   ASSERT_EQ(run(scene + "-o sky.exr").status, 0);
