@@ -136,7 +136,7 @@ FN Real transfer_decode(Real code, DisplayModel display) {
   if (display.transfer == transfer_pq) {
     return min(pq_decode(code) / display.range_cd_m2, Real(1.0));
   }
-  return display.transfer == transfer_gamma ? pow(code, display.gamma) : srgb_decode(code);
+  return display.transfer == transfer_gamma ? pow(clamp(code, Real(0.0), Real(1.0)), display.gamma) : srgb_decode(code);
 }
 
 // The same as code values, 0 to 1, before they are rounded to steps.

@@ -137,6 +137,24 @@ std::string unproject_glsl(int kind) {
          (kind == 4 ? "6144.0" : "768.0") + "), 512.0), d);\n  outputs[i] = vec4(d, 0.0)";
 }
 
+/// A display of each transfer, with primaries of its number.
+f32::DisplayModel test_display(int transfer) {
+  return {glm::inverse(f32::xyz_from_rgb(f32::chromaticities_of(transfer))),
+          transfer,
+          2.4F,
+          0.2F,
+          199.8F,
+          0.5F,
+          0.1F,
+          2.0e-7F};
+}
+
+std::string display_glsl(const std::string& expression) {
+  return "vec4(0.0);\n  DisplayModel display = DisplayModel(inverse(xyz_from_rgb(chromaticities_of(int(v.w)))), "
+         "int(v.w), 2.4, 0.2, 199.8, 0.5, 0.1, 2.0e-7);\n  outputs[i] = vec4(" +
+         expression + ", 0.0)";
+}
+
 std::vector<FunctionCase> function_cases() {
   std::vector<FunctionCase> cases{
       {"moon shadow",
@@ -362,6 +380,45 @@ std::vector<FunctionCase> function_cases() {
        {0.01F, 3.0e-4F, 1, 0},
        8,
        2.0e-4F},
+      {"display_signal",
+       display_glsl("display_signal(v.xyz, display, 20.0)"),
+       [](const glm::vec4& v) {
+         return glm::vec4(f32::display_signal(glm::vec3(v), test_display(static_cast<int>(v.w)), 20.0F), 0);
+       },
+       {-20, 0, -20, 0},
+       {300, 300, 300, 2},
+       9,
+       1.0e-3F}, // of a thousandth: components at the gamut's border are differences
+      {"display_codes",
+       display_glsl("display_codes(inverse(display.rgb_from_xyz) * v.xyz, display, 20.0)"),
+       [](const glm::vec4& v) {
+         const f32::DisplayModel display = test_display(static_cast<int>(v.w));
+         return glm::vec4(f32::display_codes(glm::inverse(display.rgb_from_xyz) * glm::vec3(v), display, 20.0F), 0);
+       },
+       {5, 5, 5, 0},
+       {200, 200, 200, 2},
+       9,
+       1.0e-4F},
+      {"display_light",
+       display_glsl("display_light(v.xyz, display, 20.0)"),
+       [](const glm::vec4& v) {
+         return glm::vec4(f32::display_light(glm::vec3(v), test_display(static_cast<int>(v.w)), 20.0F), 0);
+       },
+       {0, 0, 0, 0},
+       {1, 1, 1, 2},
+       9,
+       2.0e-3F}, // PQ's decoding takes the difference of numbers near one
+      {"dithered",
+       "vec4(dithered(vec3(v.z), uint(v.x), uint(v.y), uint(v.w), 255.0), 0)",
+       [](const glm::vec4& v) {
+         return glm::vec4(f32::dithered(glm::vec3(v.z), static_cast<unsigned>(v.x), static_cast<unsigned>(v.y),
+                                        static_cast<unsigned>(v.w), 255.0F),
+                          0);
+       },
+       {0, 0, 0, 0},
+       {9000, 90000, 1, 70},
+       11,
+       1.0e-6F},
       {"plain_exposure",
        "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
        [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); },

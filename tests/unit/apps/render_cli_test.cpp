@@ -44,6 +44,28 @@ TEST_F(RenderCli, WritesAPictureForTheEye) {
   EXPECT_GT(*std::max_element(image.values.begin(), image.values.end()), 0.9F);
 }
 
+TEST_F(RenderCli, WritesDeepPicturesAndTheirDisplay) {
+  const std::string small = std::string(scene) + "--size 64x64 --fov 40 --azimuth 150 --altitude 40 ";
+  const auto deep_share = [&](const std::string& name) {
+    const std::vector<float> values = read_image(path(name)).values;
+    const auto deep = std::count_if(values.begin(), values.end(), [](float v) {
+      const float steps = v * 255.0F;
+      return std::abs(steps - std::round(steps)) > 1.0e-3F;
+    });
+    return static_cast<double>(deep) / static_cast<double>(values.size());
+  };
+  ASSERT_EQ(run(small + "-o " + path("shallow.png")).status, 0);
+  ASSERT_EQ(run(small + "--bits 16 --primaries rec2020 -o " + path("deep.png")).status, 0);
+  EXPECT_EQ(deep_share("shallow.png"), 0.0);
+  EXPECT_GT(deep_share("deep.png"), 0.05);
+  EXPECT_NE(text("deep.png").find("iCCP"), std::string::npos);
+  ASSERT_EQ(run(small + "--exr display -o " + path("display.exr")).status, 0);
+  const FloatImage display = read_image(path("display.exr"));
+  EXPECT_EQ(display.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_LE(*std::max_element(display.values.begin(), display.values.end()), 1.0F);
+  EXPECT_GT(*std::max_element(display.values.begin(), display.values.end()), 0.0F);
+}
+
 TEST_F(RenderCli, ACubeMapTakesAFaceOrAStack) {
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.exr")).status, 0);
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x192 -o " + path("stack.exr")).status, 0);
@@ -105,6 +127,9 @@ TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   expect_failure(2, "--refraction maybe" + to, {"--refraction", "maybe"});
   expect_failure(2, "--pressure 2000" + to, {"--pressure", "2000", "1100"});
   expect_failure(2, "--exposure-time -1" + to, {"--exposure-time", "-1"});
+  expect_failure(2, "--bits 12" + to, {"--bits", "12", "8, 16"});
+  expect_failure(2, "--display-peak 0" + to, {"--display-peak", "0.001 to 10000"});
+  expect_failure(2, "--exr light" + to, {"--exr", "light"});
   expect_failure(2, "--tolerance 1" + to, {"--tolerance"}); // arrives with the plan
   EXPECT_FALSE(std::filesystem::exists(path("sky.png")));
 }
