@@ -1,6 +1,6 @@
 // From the light of a strip to the code values of a display: what the eye's glare and acuity leave (EYE), colour by rods and
 // cones, tone curve, points of light, the display's gamut and transfer (TRANSFER), dither. FALSE_COLOR has colours for
-// luminance.
+// luminance; NOISE adds the grain that is seen in the dark.
 #include "prelude.glsl"
 #ifndef TRANSFER
 #define TRANSFER 0
@@ -10,6 +10,10 @@
 #include "lib/projection.glsl"
 #include "lib/visibility.glsl"
 #include "lib/mesopic.glsl"
+#ifdef NOISE
+#include "lib/vision.glsl"
+#include "lib/visual_noise.glsl"
+#endif
 #include "lib/tone.glsl"
 #ifdef FALSE_COLOR
 #include "lib/false_color.glsl"
@@ -23,16 +27,18 @@ layout(binding = 2) uniform sampler1D curve;
 #ifdef EYE
 layout(binding = 3) uniform sampler2D eye_added;
 layout(binding = 4) uniform sampler2D eye_shares;
-layout(location = 7) uniform vec2 eye_scale; // share of the eye's textures that the picture takes
 #endif
 layout(binding = 0) uniform writeonly image2D pixels;
 layout(location = 0) uniform vec2 size; // of the picture
 layout(location = 1) uniform float focal;
 layout(location = 2) uniform ivec2 strip;       // first row and number of rows
 layout(location = 3) uniform float steps;       // of the pixels, from black to white
-layout(location = 4) uniform uint seed;         // of the dither
+layout(location = 4) uniform uint seed;         // of dither and grain
 layout(location = 5) uniform int night_vision;  // 0: all is seen as by day
 layout(location = 6) uniform int points_as_seen; // 0: points count by their luminance, as for a camera
+#ifdef NOISE
+layout(location = 7) uniform float seconds;
+#endif
 layout(location = 20) uniform DisplayModel display;
 
 // Solid angle over which the eye spreads a point of light, sr: a disc of 2 arcmin.
@@ -48,6 +54,16 @@ vec3 signal_of(vec3 xyz) {
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   float cones = cone_share(extended);
   vec3 seen = seen_color(extended, cones);
+#ifdef NOISE
+  PixelFrame picture = PixelFrame(PROJECTION, size, focal);
+  vec3 direction;
+  if (unproject(at, picture, direction)) {
+    float degrees = degrees(inversesqrt(max(pixels_per_steradian(at, picture), 1.0e-6)));
+    float grain = visual_noise_cd_m2(extended.w, cones);
+    grain *= visual_noise(direction, int(at.x), int(at.y), degrees, seconds, seed);
+    seen = max(seen + grain * night_hue, vec3(0.0));
+  }
+#endif
   float luminance = max(seen.y, 0.0);
   vec3 tone = tone_curve(luminance, curve);
   vec3 color = seen * (tone.x / max(luminance, 1.0e-30));
@@ -78,7 +94,7 @@ void main() {
   vec4 extended = all - point;
   vec2 pixel = vec2(at) + vec2(0.5, 0.5 + float(strip.x));
 #ifdef EYE
-  vec2 place = pixel / size * eye_scale;
+  vec2 place = pixel / (4.0 * vec2(textureSize(eye_shares, 0)));
   vec2 shares = textureLod(eye_shares, place, 0.0).xy;
   extended = shares.x * extended + textureLod(eye_added, place, 0.0);
   point *= shares.y;

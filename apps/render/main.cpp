@@ -47,6 +47,10 @@ struct RenderOptions {
   std::optional<double> exposure_value;
   std::string metering = "whole";
   std::optional<std::string> night_vision;
+  std::optional<std::string> glare;
+  std::optional<std::string> acuity;
+  std::string noise = "off";
+  double age = gpu::EyeOpticsSettings{}.age_years;
   bool timings = false;
 };
 
@@ -134,8 +138,12 @@ gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind k
   settings.tone.stops = options.exposure_stops;
   settings.tone.exposure_value = options.exposure_value;
   settings.metering = options.metering == "foveal" ? Metering::foveal : Metering::whole_field;
-  // A camera has no rods.
+  // A camera has no eye's faults.
   const bool eye = settings.tone.tone != ToneOperator::photographic;
+  settings.optics.glare = options.glare ? *options.glare == "on" : eye;
+  settings.optics.acuity = options.acuity ? *options.acuity == "on" : eye;
+  settings.optics.age_years = options.age;
+  settings.noise = options.noise == "on";
   settings.night_vision = options.night_vision ? *options.night_vision == "on" : eye;
   return settings;
 }
@@ -272,6 +280,15 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--night-vision", options.night_vision,
                  "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
       ->check(on_off);
+  app.add_option("--glare", options.glare,
+                 "light that the eye scatters: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--acuity", options.acuity,
+                 "detail fades where it is dark: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--noise", options.noise, "grain that is seen in the dark: on, off (default)")->check(on_off);
+  app.add_option("--age", options.age, "years of the eye that scatters, 0 to 100; default 30")
+      ->check(CLI::Range(0.0, 100.0));
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");

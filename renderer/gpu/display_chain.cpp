@@ -3,7 +3,7 @@
 #include "vesper/base/error.hpp"
 #include "vesper/gpu/display_uniforms.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -25,6 +25,16 @@ void require_settings(const DisplaySettings& settings) {
   }
 }
 
+/// A picture that shows angles larger than they are is looked at as through a telescope; one that shows them smaller is
+/// still what the naked eye sees.
+double magnification(const View& view, const Display& display) {
+  const f64::ProjectionFrame projection = projection_frame(view);
+  const double per_steradian =
+      f64::pixels_per_steradian(0.5 * projection.size, {projection.kind, projection.size, projection.focal});
+  const double per_degree = std::sqrt(per_steradian) * (1.0 * deg).to(rad);
+  return std::max(1.0, per_degree / display.pixels_per_degree);
+}
+
 Texture texture_of(const ToneCurve& curve) {
   std::vector<float> rgba;
   rgba.reserve(4 * curve.nodes.size());
@@ -40,7 +50,7 @@ Texture texture_of(const ToneCurve& curve) {
 
 DisplayChain::DisplayChain(const ShaderLibrary& library, const DisplaySettings& settings)
     : settings_(settings), display_(display_model(settings.display)), programs_(library, {"display_chain.comp"}),
-      meter_(library) {
+      meter_(library), optics_(library) {
   require_settings(settings);
 }
 
@@ -51,6 +61,14 @@ void DisplayChain::start(const View& view) {
 
 void DisplayChain::look(const StripLight& light) {
   meter_.add(light);
+  const bool asked = settings_.optics.glare || settings_.optics.acuity;
+  const bool whole = light.strip.rows == view_.height && view_.projection != Projection::cubemap;
+  through_optics_ = asked && whole;
+  if (through_optics_) {
+    EyeOpticsSettings optics = settings_.optics;
+    optics.magnification = magnification(view_, settings_.display);
+    optics_.see(light.frame, &light.points, view_, optics);
+  }
   looked_ = true;
 }
 
@@ -63,6 +81,12 @@ void DisplayChain::find_curve() {
   if (settings_.tone.tone == ToneOperator::false_color) {
     defines.emplace_back("FALSE_COLOR");
   }
+  if (through_optics_) {
+    defines.emplace_back("EYE");
+  }
+  if (settings_.noise) {
+    defines.emplace_back("NOISE");
+  }
   program_ = &programs_.get(defines);
   const GLuint program = program_->name();
   glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
@@ -71,6 +95,9 @@ void DisplayChain::find_curve() {
   glProgramUniform1ui(program, 4, settings_.seed);
   glProgramUniform1i(program, 5, settings_.night_vision ? 1 : 0);
   glProgramUniform1i(program, 6, settings_.tone.tone == ToneOperator::photographic ? 0 : 1);
+  if (settings_.noise) {
+    glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
+  }
   set_display(*program_, display_location, display_);
   looked_ = false;
 }
@@ -86,6 +113,10 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   glBindTextureUnit(0, light.frame.name());
   glBindTextureUnit(1, light.points.name());
   glBindTextureUnit(2, nodes_.name());
+  if (through_optics_) {
+    glBindTextureUnit(3, optics_.added().name());
+    glBindTextureUnit(4, optics_.shares().name());
+  }
   glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
   glDispatchCompute(groups(view_.width), groups(light.strip.rows), 1);
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "vesper/gpu/display_mapping.hpp"
+#include "vesper/gpu/eye_optics.hpp"
 #include "vesper/gpu/light_meter.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/shader_library.hpp"
@@ -19,13 +20,18 @@ struct DisplaySettings {
   Metering metering = Metering::whole_field;
   /// What the eye is adapted to; what each picture adapts it to where there is none.
   std::optional<AdaptationState> adaptation;
+  EyeOpticsSettings optics; ///< glare and acuity; its magnification is found from view and display
   bool night_vision = true; ///< colours fade as rods take over; off: as by day, or for a camera
+  bool noise = false;       ///< the grain that is seen in the dark, at an instant
+  double seconds = 0.0;
   Display display;
   PixelFormat format = PixelFormat::rgba8; ///< rgba8 or rgba16
-  std::uint32_t seed = 0;                  ///< of the dither: another for each frame of a sequence
+  std::uint32_t seed = 0;                  ///< of dither and grain
 };
 
 
+/// Pictures in strips go without glare and acuity, which need all of a picture at once; so do cube maps, which are seen
+/// through another program's view.
 class DisplayChain : public DisplayMapping {
 public:
   /// The library must outlive the chain. Throws Error(argument) for settings out of range.
@@ -42,7 +48,8 @@ public:
 
   /// For the next pictures.
   void adapt_to(const std::optional<AdaptationState>& state) { settings_.adaptation = state; }
-  void reseed(std::uint32_t seed) { settings_.seed = seed; }
+  /// Of the grain.
+  void at_instant(double seconds) { settings_.seconds = seconds; }
 
 private:
   void find_curve();
@@ -51,6 +58,8 @@ private:
   f64::DisplayModel display_;
   ProgramVariants programs_;
   LightMeter meter_;
+  EyeOptics optics_;
+  bool through_optics_ = false; ///< this picture
   const ProgramHandle* program_ = nullptr;
   View view_;
   bool looked_ = false; ///< and no curve found yet

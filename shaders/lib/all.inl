@@ -26,3 +26,5 @@
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
 #include "vesper/shaders/lib/dark_sky.glsl"
+#include "vesper/shaders/lib/eye_glare.glsl"
+#include "vesper/shaders/lib/visual_noise.glsl"

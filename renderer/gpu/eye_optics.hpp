@@ -1,0 +1,84 @@
+// What the observer's eye does to the light of a picture before it is seen: it scatters light (glare) and, as light
+// falls, pools it over wider areas (acuity).
+#pragma once
+
+#include "vesper/base/vector.hpp"
+#include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/program.hpp"
+#include "vesper/gpu/shader_library.hpp"
+#include "vesper/plan/view.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace vesper::gpu {
+
+/// A source that the picture does not show and whose veil it does, such as a Sun just beyond the edge.
+struct UnseenSource {
+  Vec3 direction; ///< unit vector, horizon frame
+  Vec4 light_lux; ///< illuminance at the eye: X, Y, Z in lux and S
+};
+
+/// Glare and acuity of an eye. Cameras have neither: both off, or no EyeOptics at all.
+struct EyeOpticsSettings {
+  bool glare = true;
+  bool acuity = true;
+  double age_years = 30.0;   ///< 0 to 100
+  double pigmentation = 0.5; ///< of the iris: 0 very dark, 0.5 brown, 1 blue-green, 1.2 light blue; 0 to 1.5
+  /// Angles as the viewer sees them over angles in the scene: 1 for the naked eye, more for a picture (or a telescope)
+  /// that shows the scene larger; > 0.
+  double magnification = 1.0;
+  std::vector<UnseenSource> unseen = {};
+};
+
+/// Reads a picture and holds what the eye makes of it:
+///
+///     extended light seen = shares().x * extended light + added()
+///     point light seen    = shares().y * point light
+///
+/// Both textures have a texel for 4 x 4 pixels, cover the picture and some more, and are read between texels at
+/// pixel / (4 * size of the texture), pixel centres at +0.5.
+///
+/// Glare is the CIE's total function (shaders/lib/eye_glare.glsl), divided by its integral over the sphere: what the eye
+/// scatters is missing where it came from, and light scattered out of the picture is lost. Angles are those of the scene.
+/// Near a source, within about a cell (1/24 of the picture), the veil is round in the picture: where a projection
+/// stretches angles, it does so there too. Past the picture the sphere is taken to be as bright as the picture's darkest
+/// cell. What is scattered by less than four pixels stays where it is.
+class EyeOptics {
+public:
+  /// The library must outlive this.
+  explicit EyeOptics(const ShaderLibrary& library);
+  EyeOptics(const EyeOptics&) = delete;
+  EyeOptics& operator=(const EyeOptics&) = delete;
+  ~EyeOptics();
+
+  /// \param frame  rgba32f of the view's size: all light, X, Y, Z in cd/m2 and S
+  /// \param points rgba32f of the same size: the part of it that comes from points; null for none
+  /// Throws Error(argument) for settings out of range, and for a cube map: its six faces are seen from within, through
+  /// another program's view, whose eye this is not.
+  void see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings);
+
+  /// What extended light gains: rgba32f, X, Y, Z in cd/m2 and S.
+  [[nodiscard]] const Texture& added() const { return added_; }
+  /// rg32f: the share of a pixel's extended light that stays sharp, and that of its point light.
+  [[nodiscard]] const Texture& shares() const { return shares_; }
+
+private:
+  struct Pyramid;
+  void scatter();
+
+  ProgramVariants blocks_programs_;
+  ProgramVariants halve_programs_;
+  ProgramHandle spread_;
+  ProgramHandle cells_;
+  ProgramHandle beyond_;
+  ProgramHandle far_;
+  ProgramHandle veil_;
+  ProgramHandle seen_;
+  Buffer uniforms_;
+  Texture added_;
+  Texture shares_;
+  std::unique_ptr<Pyramid> pyramid_;
+};
+
+} // namespace vesper::gpu

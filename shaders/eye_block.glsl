@@ -1,0 +1,70 @@
+// What the stages of the eye know of the picture: renderer/gpu/eye_optics.cpp fills it.
+//
+// A pyramid of the picture: a texel of level 0 is a block of 4 x 4 pixels, each further level halves. Sizes are padded to
+// whole cells (texels of the coarsest level); what lies past the picture holds nothing.
+layout(std140, binding = 0) uniform EyeBlock {
+  vec4 optics; // of EyeScatter: narrow, wide, pigmented, skirt
+  vec4 media;  // iris, parabola, wall; angles seen over angles in the scene
+  vec2 size;   // pixels of the picture
+  float focal;
+  int projection;
+  int cell_level;
+  int columns; // of cells
+  int lights;  // cells and unseen sources
+  int wraps;   // whether the left edge continues the right one
+  int glare;
+  int acuity;
+} eye;
+
+const float block_side = 4.0;
+
+// Standard deviation of what a level draws, in its texels: a quadratic B-spline spreads the light (variance 1/4), weights
+// of 1/6, 4/6, 1/6 smooth it twice (1/3 each), and linear interpolation from level to level ends in another B-spline (1/4).
+// The fourth cumulant of those weights is 0, which keeps the whole round.
+const float level_sigma = sqrt(7.0 / 6.0);
+
+EyeScatter eye_scatter_here() {
+  EyeScatter scatter;
+  scatter.narrow = eye.optics.x;
+  scatter.wide = eye.optics.y;
+  scatter.pigmented = eye.optics.z;
+  scatter.skirt = eye.optics.w;
+  scatter.iris = eye.media.x;
+  scatter.parabola = eye.media.y;
+  scatter.wall = eye.media.z;
+  return scatter;
+}
+
+PixelFrame eye_frame() { return PixelFrame(eye.projection, eye.size, eye.focal); }
+
+float texel_side(int level) { return block_side * float(1 << level); } // pixels
+
+// Texels of a level that hold some of the picture.
+ivec2 level_size(int level) { return ivec2(ceil(eye.size / texel_side(level))); }
+
+// The part of a texel that lies in the picture.
+float coverage(ivec2 texel, int level) {
+  vec2 inside = clamp(eye.size / texel_side(level) - vec2(texel), 0.0, 1.0);
+  return inside.x * inside.y;
+}
+
+// Degrees as seen.
+float degrees_per_pixel(vec2 pixel) { return eye.media.w * eye_degrees_per_pixel(pixel, eye_frame()); }
+
+// Softness of the far part of the light at a place.
+float softness(vec2 pixel) { return texel_side(eye.cell_level) * degrees_per_pixel(pixel); }
+
+// The texel that stands for one past the edge: across the seam, or mirrored; `mirror` is -1 along axes where it is.
+ivec2 in_picture(ivec2 texel, ivec2 size, out vec2 mirror) {
+  mirror = vec2(1.0);
+  if (eye.wraps != 0) {
+    texel.x = (texel.x + size.x) % size.x;
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    if (texel[axis] < 0 || texel[axis] >= size[axis]) {
+      texel[axis] = clamp(texel[axis] < 0 ? -1 - texel[axis] : 2 * size[axis] - 1 - texel[axis], 0, size[axis] - 1);
+      mirror[axis] = -1.0;
+    }
+  }
+  return texel;
+}

@@ -1,0 +1,45 @@
+// The frame in blocks of 4 x 4 pixels: their mean light, and where in them it comes from, so that a star's veil has the
+// star in its middle.
+#include "prelude.glsl"
+#include "lib/cube_map.glsl"
+#include "lib/projection.glsl"
+#include "lib/eye_glare.glsl"
+#include "eye_block.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2D frame;
+layout(binding = 0, rgba32f) uniform writeonly image2D light;
+layout(binding = 1, rg32f) uniform writeonly image2D centre; // in texels, from the texel's middle
+#ifdef POINTS
+layout(binding = 1) uniform sampler2D points;
+layout(binding = 2, rgba32f) uniform writeonly image2D extended;
+#endif
+
+void main() {
+  ivec2 block = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 first = int(block_side) * block;
+  ivec2 count = clamp(ivec2(eye.size) - first, ivec2(0), ivec2(block_side));
+  if (count.x * count.y == 0) {
+    return;
+  }
+  vec4 sum = vec4(0.0);
+  vec4 of_points = vec4(0.0);
+  vec2 moment = vec2(0.0);
+  for (int y = 0; y < count.y; ++y) {
+    for (int x = 0; x < count.x; ++x) {
+      vec4 here = texelFetch(frame, first + ivec2(x, y), 0);
+      sum += here;
+      moment += max(here.y, 0.0) * vec2(x, y);
+#ifdef POINTS
+      of_points += texelFetch(points, first + ivec2(x, y), 0);
+#endif
+    }
+  }
+  float share = 1.0 / float(count.x * count.y);
+  vec2 middle = sum.y > 0.0 ? (moment / sum.y + 0.5) / block_side - 0.5 : vec2(0.0);
+  imageStore(light, block, share * sum);
+  imageStore(centre, block, vec4(clamp(middle, -0.5, 0.5), 0.0, 0.0));
+#ifdef POINTS
+  imageStore(extended, block, share * (sum - of_points));
+#endif
+}
