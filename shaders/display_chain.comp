@@ -95,9 +95,14 @@ void main() {
   vec2 pixel = vec2(at) + vec2(0.5, 0.5 + float(strip.x));
 #ifdef EYE
   vec2 place = pixel / (4.0 * vec2(textureSize(eye_shares, 0)));
-  vec2 shares = textureLod(eye_shares, place, 0.0).xy;
-  extended = shares.x * extended + textureLod(eye_added, place, 0.0);
-  point *= shares.y;
+  // Of points alone nothing is taken away: their threshold was measured through eyes that scatter.
+  extended = textureLod(eye_shares, place, 0.0).x * extended + textureLod(eye_added, place, 0.0);
+#endif
+#if PROJECTION == 1
+  // Outside the fisheye's circle nothing is seen, no veil either.
+  if (length(pixel - 0.5 * size) > 0.5 * min(size.x, size.y)) {
+    extended = vec4(0.0);
+  }
 #endif
 #ifdef FALSE_COLOR
   vec3 signal = false_color(extended.y + point.y);

@@ -15,11 +15,13 @@ namespace {
 
 using DisplayChains = RenderTest;
 
+/// Without glare and acuity, which have tests of their own.
 gpu::DisplaySettings deep(ToneOperator tone = ToneOperator::visibility, const Display& display = {}) {
   gpu::DisplaySettings settings;
   settings.tone.tone = tone;
   settings.display = display;
   settings.format = gpu::PixelFormat::rgba16;
+  settings.optics.glare = settings.optics.acuity = false;
   return settings;
 }
 
@@ -140,7 +142,7 @@ PictureLight all_luminances(const View& view) {
 }
 
 TEST_F(DisplayChains, KeepTheOrderOfLuminance) {
-  const View view = square_view(256);
+  const View view = square_view(192);
   const f64::DisplayModel display = display_model({});
   for (const ToneOperator tone : all_operators) {
     if (tone == ToneOperator::false_color) {
@@ -150,9 +152,13 @@ TEST_F(DisplayChains, KeepTheOrderOfLuminance) {
     const std::vector<std::uint16_t> codes = codes_of(chain, all_luminances(view));
     double last = 0.0;
     for (int column = 0; column < view.width; ++column) {
-      const double now = light_at(codes, view.width, column, 7, display, 0.0).y;
-      // One step of 16 bits either way is the dither's.
-      ASSERT_GE(now, last - 2.5e-4 * std::max(last, 1.0)) << static_cast<int>(tone) << " column " << column;
+      // The mean of many, for what the dither adds.
+      constexpr int rows = 32;
+      double now = 0.0;
+      for (int row = 0; row < rows; ++row) {
+        now += light_at(codes, view.width, column, row, display, 0.0).y / rows;
+      }
+      ASSERT_GE(now, last - 1.0e-4 * std::max(last, 1.0)) << static_cast<int>(tone) << " column " << column;
       last = std::max(now, last);
     }
     EXPECT_GT(last, 0.5 * display.range_cd_m2);
@@ -309,7 +315,9 @@ TEST_F(DisplayChains, TheFaintestStarOnTheDisplayIsTheFaintestInTheSky) {
       PictureLight light = even_light(view, dusk.luminance, sp_ratio);
       light.points = drawn.xyzs;
       std::transform(light.frame.begin(), light.frame.end(), drawn.xyzs.begin(), light.frame.begin(), std::plus<>());
-      gpu::DisplayChain chain(shaders, deep(ToneOperator::visibility, screen));
+      gpu::DisplaySettings settings = deep(ToneOperator::visibility, screen);
+      settings.optics.glare = settings.optics.acuity = peak == 200.0; // which must not hide what the eye sees
+      gpu::DisplayChain chain(shaders, settings);
       const std::vector<std::uint16_t> codes = codes_of(chain, light);
       // The faintest of those that are seen without a gap.
       double measured = predicted - 1.3;
