@@ -280,8 +280,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--night-vision", options.night_vision,
                  "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
       ->check(on_off);
-  app.add_option("--glare", options.glare,
-                 "light that the eye scatters: on, off; on but for --operator photographic")
+  app.add_option("--glare", options.glare, "light that the eye scatters: on, off; on but for --operator photographic")
       ->check(on_off);
   app.add_option("--acuity", options.acuity,
                  "detail fades where it is dark: on, off; on but for --operator photographic")

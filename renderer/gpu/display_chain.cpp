@@ -49,9 +49,14 @@ Texture texture_of(const ToneCurve& curve) {
 } // namespace
 
 DisplayChain::DisplayChain(const ShaderLibrary& library, const DisplaySettings& settings)
-    : settings_(settings), display_(display_model(settings.display)), programs_(library, {"display_chain.comp"}),
-      meter_(library), optics_(library) {
+    : library_(library), programs_(library, {"display_chain.comp"}), meter_(library) {
+  use(settings);
+}
+
+void DisplayChain::use(const DisplaySettings& settings) {
   require_settings(settings);
+  display_ = display_model(settings.display);
+  settings_ = settings;
 }
 
 void DisplayChain::start(const View& view) {
@@ -67,7 +72,10 @@ void DisplayChain::look(const StripLight& light) {
   if (through_optics_) {
     EyeOpticsSettings optics = settings_.optics;
     optics.magnification = magnification(view_, settings_.display);
-    optics_.see(light.frame, &light.points, view_, optics);
+    if (!optics_) {
+      optics_ = std::make_unique<EyeOptics>(library_);
+    }
+    optics_->see(light.frame, &light.points, view_, optics);
   }
   looked_ = true;
 }
@@ -114,8 +122,8 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   glBindTextureUnit(1, light.points.name());
   glBindTextureUnit(2, nodes_.name());
   if (through_optics_) {
-    glBindTextureUnit(3, optics_.added().name());
-    glBindTextureUnit(4, optics_.shares().name());
+    glBindTextureUnit(3, optics_->added().name());
+    glBindTextureUnit(4, optics_->shares().name());
   }
   glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
   glDispatchCompute(groups(view_.width), groups(light.strip.rows), 1);

@@ -1,5 +1,5 @@
-// The chain from the light of a scene to a display: the eye's glare and acuity, metering, adaptation, colour by rods and
-// cones, tone, points of light, display.
+// The chain from the light of a scene to a display: the eye's glare and acuity, metering, adaptation, colour by rods
+// and cones, tone, points of light, display.
 #pragma once
 
 #include "vesper/gpu/display_mapping.hpp"
@@ -11,6 +11,7 @@
 #include "vesper/plan/tone_curve.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace vesper::gpu {
@@ -29,7 +30,6 @@ struct DisplaySettings {
   std::uint32_t seed = 0;                  ///< of dither and grain
 };
 
-
 /// Pictures in strips go without glare and acuity, which need all of a picture at once; so do cube maps, which are seen
 /// through another program's view.
 class DisplayChain : public DisplayMapping {
@@ -46,20 +46,19 @@ public:
   [[nodiscard]] const LightHistogram& histogram() const { return histogram_; }
   [[nodiscard]] const ToneCurve& curve() const { return curve_; }
 
-  /// For the next pictures.
-  void adapt_to(const std::optional<AdaptationState>& state) { settings_.adaptation = state; }
-  /// Of the grain.
-  void at_instant(double seconds) { settings_.seconds = seconds; }
+  /// For the next pictures: cheaper than another chain. Throws as the constructor does.
+  void use(const DisplaySettings& settings);
 
 private:
   void find_curve();
 
+  const ShaderLibrary& library_;
   DisplaySettings settings_;
-  f64::DisplayModel display_;
+  f64::DisplayModel display_{};
   ProgramVariants programs_;
   LightMeter meter_;
-  EyeOptics optics_;
-  bool through_optics_ = false; ///< this picture
+  std::unique_ptr<EyeOptics> optics_; ///< once it is asked for
+  bool through_optics_ = false;       ///< this picture
   const ProgramHandle* program_ = nullptr;
   View view_;
   bool looked_ = false; ///< and no curve found yet

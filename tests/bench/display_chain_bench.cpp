@@ -1,5 +1,5 @@
-// Cost of the display chain, metering included, against a plain pass of Hable's curve with one read and one write a pixel:
-// both in one run and frame by frame in turn.
+// Cost of the display chain, metering included, against a plain pass of Hable's curve with one read and one write a
+// pixel: both in one run and frame by frame in turn.
 #include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/objects.hpp"

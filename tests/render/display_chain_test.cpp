@@ -13,7 +13,10 @@
 namespace vesper::test {
 namespace {
 
-using DisplayChains = RenderTest;
+class DisplayChains : public RenderTest {
+protected:
+  gpu::DisplayChain chain{shaders};
+};
 
 /// Without glare and acuity, which have tests of their own.
 gpu::DisplaySettings deep(ToneOperator tone = ToneOperator::visibility, const Display& display = {}) {
@@ -28,8 +31,8 @@ gpu::DisplaySettings deep(ToneOperator tone = ToneOperator::visibility, const Di
 const std::vector<ToneOperator> all_operators{ToneOperator::visibility, ToneOperator::reinhard, ToneOperator::hable,
                                               ToneOperator::photographic, ToneOperator::false_color};
 
-/// A sky by direction, so that it does not depend on the pixels: brighter towards one side, with a Sun in the corner and
-/// a dark ground.
+/// A sky by direction, so that it does not depend on the pixels: brighter towards one side, with a Sun in the corner
+/// and a dark ground.
 PictureLight test_sky(const View& view, double luminance) {
   PictureLight light{view, {}, {}};
   const f64::PixelFrame frame = pixel_frame(view);
@@ -65,8 +68,8 @@ LightHistogram histogram_of(const PictureLight& light, const MeteringGrid& grid)
         const double y = (row + (i / grid.samples + 0.5) / grid.samples) / grid.rows * view.height;
         const double per_steradian = f64::pixels_per_steradian({x, y}, frame);
         if (per_steradian > 0.0) {
-          const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) +
-                                      static_cast<std::size_t>(x));
+          const std::size_t at =
+              4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x));
           cell.y += static_cast<double>(light.frame[at + 1]) / per_steradian;
           cell.s += static_cast<double>(light.frame[at + 3]) / per_steradian;
           cell.weight += 1.0 / per_steradian;
@@ -94,7 +97,7 @@ TEST_F(DisplayChains, MeterAsTheProcessorDoes) {
     view.projection = projection;
     for (const double luminance : {3.0e-4, 0.5, 3.0e3}) {
       const PictureLight light = test_sky(view, luminance);
-      gpu::DisplayChain chain(shaders, deep());
+      chain.use(deep());
       static_cast<void>(codes_of(chain, light));
       const LightHistogram expected = histogram_of(light, metering_grid(view));
       for (std::size_t bin = 0; bin < expected.seen.size(); ++bin) {
@@ -120,7 +123,7 @@ double mean_shown(gpu::DisplayChain& chain, const PictureLight& light) {
 
 TEST_F(DisplayChains, MapAPictureOfMorePixelsToTheSameMean) {
   for (const double luminance : {3.0e-4, 3.0e3}) {
-    gpu::DisplayChain chain(shaders, deep());
+    chain.use(deep());
     const double coarse = mean_shown(chain, test_sky(square_view(512), luminance));
     const double fine = mean_shown(chain, test_sky(square_view(2048), luminance));
     std::printf("sky of %g cd/m2: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance, coarse,
@@ -148,7 +151,7 @@ TEST_F(DisplayChains, KeepTheOrderOfLuminance) {
     if (tone == ToneOperator::false_color) {
       continue; // its colours tell, not their luminance
     }
-    gpu::DisplayChain chain(shaders, deep(tone));
+    chain.use(deep(tone));
     const std::vector<std::uint16_t> codes = codes_of(chain, all_luminances(view));
     double last = 0.0;
     for (int column = 0; column < view.width; ++column) {
@@ -174,7 +177,7 @@ TEST_F(DisplayChains, AGreyOfDaylightStaysGrey) {
       if (tone == ToneOperator::false_color) {
         continue;
       }
-      gpu::DisplayChain chain(shaders, deep(tone));
+      chain.use(deep(tone));
       const std::vector<std::uint16_t> codes = codes_of(chain, even_light(view, luminance));
       const f64::vec3 xyz = light_at(codes, view.width, 30, 30, display, 0.0);
       const double sum = xyz.x + xyz.y + xyz.z;
@@ -189,7 +192,7 @@ TEST_F(DisplayChains, ColourFadesByNight) {
   const f64::DisplayModel display = display_model({});
   const View view = square_view(64);
   const auto blueness = [&](double luminance) {
-    gpu::DisplayChain chain(shaders, deep());
+    chain.use(deep());
     PictureLight light = even_light(view, luminance);
     for (std::size_t i = 0; i < light.frame.size(); i += 4) {
       light.frame[i] *= 1.3F; // reddish
@@ -220,7 +223,7 @@ TEST_F(DisplayChains, StandWhatNoSkyShows) {
     value = std::pow(10.0F, exponent(random)) * (random() % 7 == 0 ? -1.0F : 1.0F);
   }
   for (const ToneOperator tone : all_operators) {
-    gpu::DisplayChain chain(shaders, deep(tone));
+    chain.use(deep(tone));
     for (const PictureLight* light : {&black, &pixel, &half, &odd, &black, &half}) { // one after another, too
       const std::vector<std::uint16_t> codes = codes_of(chain, *light);
       ASSERT_TRUE(std::isfinite(chain.curve().mean_cd_m2));
@@ -244,7 +247,7 @@ TEST_F(DisplayChains, StandWhatNoSkyShows) {
 TEST_F(DisplayChains, FalseColoursTellLuminanceAndCarryALegend) {
   const View view = square_view(240);
   const f64::DisplayModel display = display_model({});
-  gpu::DisplayChain chain(shaders, deep(ToneOperator::false_color));
+  chain.use(deep(ToneOperator::false_color));
   const std::vector<std::uint16_t> codes = codes_of(chain, even_light(view, 50.0));
   const f64::vec3 expected = f64::false_color(50.0);
   const std::size_t at = 4 * (100 * 240 + 100);
@@ -261,7 +264,7 @@ TEST_F(DisplayChains, PointsAreKeptApartAndHiddenByWhatCoversThem) {
   renderer.load(catalogue_of(stars));
   const SkyState sky = still_sky();
   const FramePlan plan = plan_frame(sky, view, stars, bare_stars());
-  gpu::DisplayChain chain(shaders, deep());
+  chain.use(deep());
   const gpu::Frame alone = renderer.render(sky, view, plan);
   const gpu::Frame mapped = renderer.render(sky, view, plan, {.xyzs = true, .mapping = &chain});
   EXPECT_EQ(alone.xyzs, mapped.xyzs);
@@ -272,8 +275,8 @@ TEST_F(DisplayChains, PointsAreKeptApartAndHiddenByWhatCoversThem) {
   EXPECT_GT(*std::max_element(mapped.rgba16.begin(), mapped.rgba16.end() - 1), 10000);
 }
 
-/// A sky's luminance at the zenith by the Sun's altitude, cd/m2, of a clear sky: Koomen et al. 1952 (J. Opt. Soc. Am. 42,
-/// 353) in twilight, with the dark sky behind it.
+/// A sky's luminance at the zenith by the Sun's altitude, cd/m2, of a clear sky: Koomen et al. 1952 (J. Opt. Soc. Am.
+/// 42, 353) in twilight, with the dark sky behind it.
 struct Dusk {
   double sun_altitude_deg, luminance;
 };
@@ -317,7 +320,7 @@ TEST_F(DisplayChains, TheFaintestStarOnTheDisplayIsTheFaintestInTheSky) {
       std::transform(light.frame.begin(), light.frame.end(), drawn.xyzs.begin(), light.frame.begin(), std::plus<>());
       gpu::DisplaySettings settings = deep(ToneOperator::visibility, screen);
       settings.optics.glare = settings.optics.acuity = peak == 200.0; // which must not hide what the eye sees
-      gpu::DisplayChain chain(shaders, settings);
+      chain.use(settings);
       const std::vector<std::uint16_t> codes = codes_of(chain, light);
       // The faintest of those that are seen without a gap.
       double measured = predicted - 1.3;

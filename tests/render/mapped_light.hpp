@@ -68,8 +68,8 @@ inline std::vector<std::uint16_t> codes_of(gpu::DisplayChain& chain, const Pictu
 /// X, Y, Z in cd/m2 that leave the display at a pixel.
 inline f64::vec3 light_at(const std::vector<std::uint16_t>& codes, int width, int column, int row,
                           const f64::DisplayModel& display, double mean_cd_m2) {
-  const std::size_t at = 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
-                              static_cast<std::size_t>(column));
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
   return f64::display_light(f64::vec3(codes[at], codes[at + 1], codes[at + 2]) / 65535.0, display, mean_cd_m2);
 }
 

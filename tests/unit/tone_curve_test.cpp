@@ -47,15 +47,19 @@ const std::vector<ToneOperator> all_operators{ToneOperator::visibility, ToneOper
                                               ToneOperator::photographic};
 
 const std::vector<LightHistogram>& trying_fields() {
-  static const std::vector<LightHistogram> fields{
-      LightHistogram{},                               // all black
-      field_of({{2.0e9, 1.0}}),                       // nothing but the Sun
-      field_of({{2.0e9, 1.0e-6}}),                    // one bright pixel on black
-      field_of({{1.0e4, 0.5}}),                       // half black, half sunlit
-      field_of({{1.0e-6, 0.5}, {1.0e4, 0.5}}),        // likewise, not quite black
-      field_of({{3.0e-4, 0.999}, {3.0e3, 0.001}}),    // the Moon by night
-      field_of({{3.0e3, 0.6}, {2.0e-2, 0.4}}),        // the Moon alone
-      sky_of(1.0e-6), sky_of(3.0e-4), sky_of(0.02), sky_of(1.0), sky_of(5.0e3), sky_of(1.0e8)};
+  static const std::vector<LightHistogram> fields{LightHistogram{},                        // all black
+                                                  field_of({{2.0e9, 1.0}}),                // nothing but the Sun
+                                                  field_of({{2.0e9, 1.0e-6}}),             // one bright pixel on black
+                                                  field_of({{1.0e4, 0.5}}),                // half black, half sunlit
+                                                  field_of({{1.0e-6, 0.5}, {1.0e4, 0.5}}), // likewise, not quite black
+                                                  field_of({{3.0e-4, 0.999}, {3.0e3, 0.001}}), // the Moon by night
+                                                  field_of({{3.0e3, 0.6}, {2.0e-2, 0.4}}),     // the Moon alone
+                                                  sky_of(1.0e-6),
+                                                  sky_of(3.0e-4),
+                                                  sky_of(0.02),
+                                                  sky_of(1.0),
+                                                  sky_of(5.0e3),
+                                                  sky_of(1.0e8)};
   return fields;
 }
 
@@ -119,8 +123,7 @@ TEST(ToneCurves, MatchWhatCanJustBeToldApart) {
     const AdaptationState state = adapted_to(field);
     EXPECT_NEAR(state.cones.to(candela_per_m2), luminance, 0.001 * luminance);
     const ToneCurve curve = curve_for(field);
-    const double scene_step =
-        std::min(f64::cone_threshold_cd_m2(luminance), f64::rod_threshold_cd_m2(2.3 * luminance));
+    const double scene_step = std::min(f64::cone_threshold_cd_m2(luminance), f64::rod_threshold_cd_m2(2.3 * luminance));
     const Display display;
     const double viewer = 0.2 * (curve.floor_cd_m2 + (display.peak - display.black).to(candela_per_m2));
     const double display_step = f64::cone_threshold_cd_m2(viewer);
@@ -149,14 +152,14 @@ TEST(ToneCurves, NeitherSunNorMoonThrowsTheSky) {
     const LightHistogram without = field_of({{sky, 1.0}});
     const LightHistogram with = field_of({{sky, 1.0 - share}, {disc, share}});
     const double change = shown(curve_for(with), sky) / shown(curve_for(without), sky) - 1.0;
-    std::printf("a disc of %g cd/m2 changes the sky of %g cd/m2 on the display by %.2f %%\n", disc, sky, 100.0 * change);
+    std::printf("a disc of %g cd/m2 changes the sky of %g cd/m2 on the display by %.2f %%\n", disc, sky,
+                100.0 * change);
     EXPECT_LT(std::abs(change), 0.02);
   }
 }
 
 TEST(ToneCurves, ShowTheMoonsSurfaceWhereItFillsThePicture) {
-  const LightHistogram field =
-      field_of({{1000.0, 0.1}, {2000.0, 0.2}, {3500.0, 0.2}, {5000.0, 0.1}, {0.02, 0.4}});
+  const LightHistogram field = field_of({{1000.0, 0.1}, {2000.0, 0.2}, {3500.0, 0.2}, {5000.0, 0.1}, {0.02, 0.4}});
   const ToneCurve curve = curve_for(field);
   EXPECT_GT(shown(curve, 5000.0) / shown(curve, 1000.0), 1.5);
   EXPECT_GT(shown(curve, 5000.0), 0.5 * Display{}.peak.to(candela_per_m2));
@@ -167,8 +170,7 @@ TEST(ToneCurves, APointAtItsThresholdStaysAtIt) {
     const Display display{.peak = peak * candela_per_m2, .black = 0.001 * peak * candela_per_m2};
     for (const double luminance : {3.0e-4, 0.02, 1.0, 300.0, 5.0e3}) {
       const ToneCurve curve = curve_for(field_of({{luminance, 1.0}}), ToneOperator::visibility, display);
-      const f64::vec3 tone =
-          f64::tone_curve(luminance, {curve.nodes.data(), static_cast<int>(curve.nodes.size())});
+      const f64::vec3 tone = f64::tone_curve(luminance, {curve.nodes.data(), static_cast<int>(curve.nodes.size())});
       const double on_display = f64::threshold_illuminance_lux(curve.floor_cd_m2 + tone.x, 1.7);
       EXPECT_NEAR(tone.y / tone.z / on_display, 1.0, 0.04) << peak << " " << luminance;
     }
