@@ -39,7 +39,7 @@ Luminance field_luminance(const LightHistogram::Bins& bins) {
     lit += bins.at(i);
   }
   if (cube_root <= 0.0) {
-    return Luminance();
+    return {};
   }
   const double darkest = darkest_share * cube_root * cube_root * cube_root;
   double sum = std::max(1.0 - lit, 0.0) * std::log(darkest);

@@ -188,10 +188,9 @@ double as_background(double seen_cd_m2) {
 std::span<const std::string_view> tone_operator_names() { return names_of_operators; }
 
 std::optional<ToneOperator> tone_operator_from_name(std::string_view name) {
-  const auto found = std::find(names_of_operators.begin(), names_of_operators.end(), name);
-  return found == names_of_operators.end()
-             ? std::nullopt
-             : std::optional(static_cast<ToneOperator>(found - names_of_operators.begin()));
+  const std::span<const std::string_view> names = names_of_operators;
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? std::nullopt : std::optional(static_cast<ToneOperator>(found - names.begin()));
 }
 
 ToneCurve make_tone_curve(const ToneSettings& settings, const LightHistogram& histogram, const AdaptationState& state,
