@@ -1,5 +1,5 @@
 // Light of the cells by which a picture is metered: sums over the samples that fall into a strip, added to those of the
-// strips before.
+// strips before. EYE has the light as glare and acuity leave it.
 #include "prelude.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
@@ -7,6 +7,10 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D frame;
 layout(binding = 1) uniform sampler2D points;
+#ifdef EYE
+layout(binding = 3) uniform sampler2D eye_added;
+layout(binding = 4) uniform sampler2D eye_shares;
+#endif
 layout(location = 0) uniform vec2 size; // of the picture
 layout(location = 1) uniform float focal;
 layout(location = 2) uniform ivec2 strip; // first row and number of rows
@@ -34,6 +38,10 @@ void main() {
     }
     ivec2 texel = at - ivec2(0, strip.x);
     vec4 extended = max(texelFetch(frame, texel, 0) - texelFetch(points, texel, 0), vec4(0.0));
+#ifdef EYE
+    vec2 on_eye = place * size / (4.0 * vec2(textureSize(eye_shares, 0)));
+    extended = textureLod(eye_shares, on_eye, 0.0).x * extended + textureLod(eye_added, on_eye, 0.0);
+#endif
     float weight = 1.0 / per_steradian;
     if (foveal > 0.0) {
       vec3 direction;

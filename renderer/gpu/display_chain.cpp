@@ -65,7 +65,6 @@ void DisplayChain::start(const View& view) {
 }
 
 void DisplayChain::look(const StripLight& light) {
-  meter_.add(light);
   const bool asked = settings_.optics.glare || settings_.optics.acuity;
   const bool whole = light.strip.rows == view_.height && view_.projection != Projection::cubemap;
   through_optics_ = asked && whole;
@@ -77,6 +76,7 @@ void DisplayChain::look(const StripLight& light) {
     }
     optics_->see(light.frame, &light.points, view_, optics);
   }
+  meter_.add(light, through_optics_ ? optics_.get() : nullptr);
   looked_ = true;
 }
 

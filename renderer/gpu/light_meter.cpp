@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <numbers>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace vesper::gpu {
 namespace {
@@ -44,28 +46,33 @@ void LightMeter::start(const View& view, Metering metering) {
     cells_ = make_dynamic_buffer(4 * sizeof(float) * static_cast<std::size_t>(grid.columns * grid.rows));
   }
   grid_ = grid;
-  width_ = view.width;
+  view_ = view;
+  metering_ = metering;
   clear(cells_);
   clear(bins_);
   // All weights stay below 2^31; a sample stands for as many pixels as there are fewer of them.
   const double samples = static_cast<double>(grid.columns) * grid.rows * grid.samples * grid.samples;
   const double pixels = static_cast<double>(view.width) * view.height;
   counts_ = std::exp2(31.0) / (most_steradians(view) * samples / pixels);
-
-  cell_program_ = &cell_programs_.get({fmt::format("PROJECTION {}", static_cast<int>(view.projection))});
-  const GLuint program = cell_program_->name();
-  const double half_at_sr = 2.0 * (1.0 - std::cos((5.0 * deg).to(rad)));
-  glProgramUniform2f(program, 0, static_cast<float>(view.width), static_cast<float>(view.height));
-  glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view).focal));
-  glProgramUniform2i(program, 3, grid.columns, grid.rows);
-  glProgramUniform1i(program, 4, grid.samples);
-  glProgramUniform1f(program, 5,
-                     metering == Metering::foveal ? static_cast<float>(std::numbers::ln2 / half_at_sr) : 0.0F);
 }
 
-void LightMeter::add(const StripLight& light) {
-  glProgramUniform2i(cell_program_->name(), 2, light.strip.first_row, light.strip.rows);
-  glUseProgram(cell_program_->name());
+void LightMeter::add(const StripLight& light, const EyeOptics* optics) {
+  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection))};
+  if (optics != nullptr) {
+    defines.emplace_back("EYE");
+    glBindTextureUnit(3, optics->added().name());
+    glBindTextureUnit(4, optics->shares().name());
+  }
+  const GLuint program = cell_programs_.get(defines).name();
+  const double half_at_sr = 2.0 * (1.0 - std::cos((5.0 * deg).to(rad)));
+  glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
+  glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
+  glProgramUniform2i(program, 2, light.strip.first_row, light.strip.rows);
+  glProgramUniform2i(program, 3, grid_.columns, grid_.rows);
+  glProgramUniform1i(program, 4, grid_.samples);
+  glProgramUniform1f(program, 5,
+                     metering_ == Metering::foveal ? static_cast<float>(std::numbers::ln2 / half_at_sr) : 0.0F);
+  glUseProgram(program);
   glBindTextureUnit(0, light.frame.name());
   glBindTextureUnit(1, light.points.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, cells_.name());
