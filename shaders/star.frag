@@ -11,6 +11,7 @@ flat in vec4 star_light;
 flat in float star_glare;
 
 layout(location = 0) out vec4 luminance;
+layout(location = 1) out vec4 point; // the same, where light of points is kept
 
 void main() {
   PixelFrame frame = PixelFrame(PROJECTION, vec2(block.size), float(block.focal));
@@ -30,4 +31,5 @@ void main() {
 #else
   luminance = star_light * (psf_profile(offset * star_scale) * pixels_per_steradian(pixel, frame));
 #endif
+  point = luminance;
 }

@@ -9,6 +9,7 @@
 #include "vesper/assets/star_glb.hpp"
 #include "vesper/base/error.hpp"
 #include "vesper/base/files.hpp"
+#include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/renderer.hpp"
 #include "vesper/plan/display_files.hpp"
@@ -16,11 +17,12 @@
 #include "vesper/sky/sky_state.hpp"
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 #include <spdlog/spdlog.h>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -40,7 +42,15 @@ struct RenderOptions {
   std::string refraction = "on";
   std::string exr = "scene"; // what an EXR holds
   double exposure_time_s = AirOptions{}.exposure_s;
+  std::string tone = "visibility";
   double exposure_stops = 0.0;
+  std::optional<double> exposure_value;
+  std::string metering = "whole";
+  std::optional<std::string> night_vision;
+  std::optional<std::string> glare;
+  std::optional<std::string> acuity;
+  std::string noise = "off";
+  double age = gpu::EyeOpticsSettings{}.age_years;
   bool timings = false;
 };
 
@@ -118,31 +128,29 @@ DiscOptions disc_options(const RenderOptions& options) {
   return discs;
 }
 
-/// The display's white by what the picture shows: by the light of areas, not of points.
-Luminance automatic_white(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
-                          Luminance least) {
-  const View small = gpu::metering_view(view);
-  const auto frame_of = [&](LayerSet layers) {
-    FrameOptions metered = plan.options;
-    metered.layers = layers;
-    return renderer.render(sky, small, plan_frame(sky, small, {}, metered, &plan));
-  };
-  Luminance white = least;
-  if (!plan.lights.empty() || plan.dark_sky) {
-    LayerSet areas = plan.options.layers;
-    for (const Layer layer : {Layer::stars, Layer::planets, Layer::moon, Layer::sun}) {
-      areas.reset(static_cast<std::size_t>(layer));
-    }
-    white = gpu::metered_white(frame_of(areas), white);
-  }
-  if (plan.moon || plan.sun) {
-    LayerSet discs;
-    for (const Layer layer : {Layer::moon, Layer::sun, Layer::ground}) {
-      discs.set(static_cast<std::size_t>(layer));
-    }
-    white = gpu::white_before_discs(white, frame_of(plan.options.layers & discs));
-  }
-  return white;
+gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind kind,
+                                      const DisplayOptions& display_options) {
+  gpu::DisplaySettings settings;
+  settings.display = display_options.display;
+  const bool deep = kind == OutputKind::display_exr || display_options.bits == 16;
+  settings.format = deep ? gpu::PixelFormat::rgba16 : gpu::PixelFormat::rgba8;
+  settings.tone.tone = *tone_operator_from_name(options.tone);
+  settings.tone.stops = options.exposure_stops;
+  settings.tone.exposure_value = options.exposure_value;
+  settings.metering = options.metering == "foveal" ? Metering::foveal : Metering::whole_field;
+  // A camera has no eye's faults.
+  const bool eye = settings.tone.tone != ToneOperator::photographic;
+  settings.optics.glare = options.glare ? *options.glare == "on" : eye;
+  settings.optics.acuity = options.acuity ? *options.acuity == "on" : eye;
+  settings.optics.age_years = options.age;
+  settings.noise = options.noise == "on";
+  settings.night_vision = options.night_vision ? *options.night_vision == "on" : eye;
+  return settings;
+}
+
+std::vector<std::string> tone_operators() {
+  const auto names = tone_operator_names();
+  return {names.begin(), names.end()};
 }
 
 void write_picture(const gpu::Frame& frame, OutputKind kind, const std::string& path, const Display& display,
@@ -204,16 +212,10 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  Luminance white = gpu::star_chart_white(scene.view);
-  if (kind != OutputKind::scene_exr) {
-    white = automatic_white(renderer, sky, scene.view, plan, white);
-  }
-  const bool deep = kind == OutputKind::display_exr || display_options.bits == 16;
-  gpu::PlainExposure exposure(shaders, white * std::exp2(-options.exposure_stops),
-                              deep ? gpu::PixelFormat::rgba16 : gpu::PixelFormat::rgba8);
+  gpu::DisplayChain chain(shaders, display_settings(options, kind, display_options));
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;
-  outputs.mapping = outputs.xyzs ? nullptr : &exposure;
+  outputs.mapping = outputs.xyzs ? nullptr : &chain;
   outputs.timings = options.timings;
   if (options.timings) {
     // The first frame pays for compiling programs and says nothing about a sequence.
@@ -262,8 +264,30 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->check(CLI::Range(0.0, 1.0e6));
   app.add_option("--extinction", options.extinction, "dimming of the stars by the air: on, off")->check(on_off);
   app.add_option("--refraction", options.refraction, "bending of light by the air: on, off")->check(on_off);
-  app.add_option("--exposure", options.exposure_stops, "stops over the default exposure of a PNG, -30 to 30")
+  app.add_option(
+         "--operator", options.tone,
+         "from the scene's luminance to the display's: visibility (default; shows what the eye would see), "
+         "reinhard, hable, photographic (linear, as a camera), false-color (luminance by colours, with a legend)")
+      ->check(CLI::IsMember(tone_operators()));
+  app.add_option("--exposure", options.exposure_stops, "stops over the exposure that the operator finds, -30 to 30")
       ->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--ev", options.exposure_value,
+                 "exposure value at ISO 100 of --operator photographic, -30 to 30; as a meter tells by default")
+      ->check(CLI::Range(-30.0, 30.0));
+  app.add_option("--metering", options.metering,
+                 "what the eye is adapted to: whole (default), the field; foveal, its middle")
+      ->check(CLI::IsMember({"whole", "foveal"}));
+  app.add_option("--night-vision", options.night_vision,
+                 "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--glare", options.glare, "light that the eye scatters: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--acuity", options.acuity,
+                 "detail fades where it is dark: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--noise", options.noise, "grain that is seen in the dark: on, off (default)")->check(on_off);
+  app.add_option("--age", options.age, "years of the eye that scatters, 0 to 100; default 30")
+      ->check(CLI::Range(0.0, 100.0));
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");

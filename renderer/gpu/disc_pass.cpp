@@ -103,7 +103,7 @@ void DiscPass::prepare(const PlannedDisc& disc, const SkyState& sky, const View&
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 
-void DiscPass::draw(const Strip& strip) {
+void DiscPass::draw(const Strip& strip, bool shines) {
   if (is_point_) {
     point_.draw(strip);
     return;
@@ -115,7 +115,7 @@ void DiscPass::draw(const Strip& strip) {
   refraction_.bind(0);
   extinction_.bind(1);
   glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC1_COLOR);
+  glBlendFunc(shines ? GL_ONE : GL_ZERO, GL_ONE_MINUS_SRC1_COLOR);
   glUseProgram(program_->name());
   glBindVertexArray(no_vertices_.name());
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, boxes_);

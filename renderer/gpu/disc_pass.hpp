@@ -27,11 +27,17 @@ public:
   void prepare(const PlannedDisc& disc, const SkyState& sky, const View& view, const FramePlan& plan,
                const std::vector<std::string>& defines = {});
 
+  /// Whether it is drawn as a point.
+  [[nodiscard]] bool is_point() const { return is_point_; }
   /// Draws into the bound framebuffer, with the stage's own block and textures bound where it is used: for a disc that
   /// is neither point nor sprite.
-  void draw(const Strip& strip);
+  void draw(const Strip& strip) { draw(strip, true); }
+  /// Only hides what is drawn already, with the same stage; for what is not a point.
+  void hide(const Strip& strip) { draw(strip, false); }
 
 private:
+  void draw(const Strip& strip, bool shines);
+
   ProgramVariants programs_;
   ProgramVariants sprite_programs_;
   PointPass point_;

@@ -134,10 +134,19 @@ void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& p
 }
 
 void MoonPass::draw(const Strip& strip) {
+  bind();
+  disc_.draw(strip);
+}
+
+void MoonPass::hide(const Strip& strip) {
+  bind();
+  disc_.hide(strip);
+}
+
+void MoonPass::bind() const {
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
   glBindTextureUnit(2, map_.name());
   glBindTextureUnit(3, eclipse_.name());
-  disc_.draw(strip);
 }
 
 } // namespace vesper::gpu

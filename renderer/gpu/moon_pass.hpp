@@ -30,7 +30,14 @@ public:
   /// Draws it over what the bound framebuffer holds.
   void draw(const Strip& strip);
 
+  /// Whether it is drawn as a point.
+  [[nodiscard]] bool is_point() const { return disc_.is_point(); }
+  /// Only hides what is behind it; for a disc.
+  void hide(const Strip& strip);
+
 private:
+  void bind() const;
+
   DiscPass disc_;
   Buffer uniforms_;
   Texture map_;

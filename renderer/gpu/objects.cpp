@@ -131,16 +131,34 @@ void interpolate(const Texture& texture) {
   glTextureParameteri(texture.name(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-Framebuffer make_framebuffer(const Texture& color) {
+Framebuffer make_framebuffer(const Texture& color, const Texture* second) {
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   Framebuffer framebuffer(name);
   glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, color.name(), 0);
+  if (second != nullptr) {
+    glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT1, second->name(), 0);
+  }
   if (glCheckNamedFramebufferStatus(name, GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw Error(ErrorKind::gpu, "the driver cannot draw into a 32-bit float framebuffer",
                 {"", "", "Use another driver, or Mesa's software renderer"});
   }
   return framebuffer;
+}
+
+void draw_into(const Framebuffer& framebuffer, Attachments attachments) {
+  constexpr std::array<GLenum, 2> outputs{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  switch (attachments) {
+  case Attachments::first:
+    glNamedFramebufferDrawBuffers(framebuffer.name(), 1, outputs.data());
+    break;
+  case Attachments::both:
+    glNamedFramebufferDrawBuffers(framebuffer.name(), 2, outputs.data());
+    break;
+  case Attachments::second:
+    glNamedFramebufferDrawBuffers(framebuffer.name(), 1, &outputs[1]);
+    break;
+  }
 }
 
 int largest_texture_side() {

@@ -79,7 +79,11 @@ enum class PixelFormat { rgba32f, rgba16, rgba8 };
 void fill_cube_texture(const Texture& texture, int level, int side, std::span<const float> rgba);
 /// Has texture() interpolate linearly, up to the texels of the edges.
 void interpolate(const Texture& texture);
-[[nodiscard]] Framebuffer make_framebuffer(const Texture& color);
+/// \param second another attachment of the same size; none if null. Only the first is drawn into until draw_into().
+[[nodiscard]] Framebuffer make_framebuffer(const Texture& color, const Texture* second = nullptr);
+/// Which attachments the outputs of the fragment stages go to.
+enum class Attachments { first, both, second };
+void draw_into(const Framebuffer& framebuffer, Attachments attachments);
 
 /// Largest width and height of a texture.
 [[nodiscard]] int largest_texture_side();

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <epoxy/gl.h>
+#include <optional>
 
 namespace vesper::gpu {
 namespace {
@@ -20,8 +21,8 @@ int strip_rows(const View& view, int limit) {
   if (most >= view.height) {
     return view.height;
   }
-  // From even rows on: drivers read maps for two by two pixels together.
-  return most > 1 ? most - most % 2 : most;
+  // From every fourth row on: drivers read maps for two by two pixels together, the eye's stage for four by four.
+  return most >= 4 ? most - most % 4 : most;
 }
 
 template <class T>
@@ -35,16 +36,23 @@ void read_back(const Texture& texture, GLenum type, const Strip& strip, int widt
 
 } // namespace
 
+/// What a strip is drawn into. Points are kept and pixels made for a display mapping.
 struct Renderer::Target {
-  Target(int target_width, int target_rows, PixelFormat pixel_format)
+  Target(int target_width, int target_rows, std::optional<PixelFormat> pixel_format)
       : width(target_width), rows(target_rows), format(pixel_format),
-        frame(make_texture(width, rows, PixelFormat::rgba32f)), pixels(make_texture(width, rows, format)),
-        framebuffer(make_framebuffer(frame)) {}
+        frame(make_texture(width, rows, PixelFormat::rgba32f)) {
+    if (format) {
+      points = make_texture(width, rows, PixelFormat::rgba32f);
+      pixels = make_texture(width, rows, *format);
+    }
+    framebuffer = make_framebuffer(frame, format ? &points : nullptr);
+  }
 
   int width;
   int rows;
-  PixelFormat format; // of the pixels
+  std::optional<PixelFormat> format; ///< of the pixels
   Texture frame;
+  Texture points;
   Texture pixels;
   Framebuffer framebuffer;
 };
@@ -55,7 +63,8 @@ Renderer::Renderer(const ShaderLibrary& library)
 
 Renderer::~Renderer() = default;
 
-Renderer::Target& Renderer::target(int width, int rows, PixelFormat format) {
+Renderer::Target& Renderer::target(int width, int rows, const DisplayMapping* mapping) {
+  const auto format = mapping != nullptr ? std::optional(mapping->format()) : std::nullopt;
   if (!target_ || target_->width != width || target_->rows != rows || target_->format != format) {
     target_.reset();
     target_ = std::make_unique<Target>(width, rows, format);
@@ -72,26 +81,56 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   if (outputs.xyzs) {
     frame.xyzs.resize(values);
   }
-  const PixelFormat format = outputs.mapping != nullptr ? outputs.mapping->format() : PixelFormat::rgba8;
-  const bool deep = format == PixelFormat::rgba16;
+  const bool deep = outputs.mapping != nullptr && outputs.mapping->format() == PixelFormat::rgba16;
   if (outputs.mapping != nullptr) {
     frame.rgba.resize(deep ? 0 : values);
     frame.rgba16.resize(deep ? values : 0);
   }
   std::vector<PassTiming>* timings = outputs.timings ? &frame.timings : nullptr;
 
+  const int rows = strip_rows(view, strip_limit_);
+  const Target& on = target(view.width, rows, outputs.mapping);
+  const auto keep = [&on](Attachments attachments) {
+    if (on.points) {
+      draw_into(on.framebuffer, attachments);
+    }
+  };
+  // Draws light of points, or covers it, in the frame and where it is kept by itself.
+  const auto with_points = [&keep](auto& pass, const Strip& strip) {
+    keep(Attachments::both);
+    pass.draw(strip);
+    keep(Attachments::first);
+  };
+  const auto with_disc = [&](auto& pass, const Strip& strip) {
+    if (pass.is_point()) {
+      with_points(pass, strip);
+      return;
+    }
+    pass.draw(strip);
+    if (on.points) {
+      keep(Attachments::second);
+      pass.hide(strip);
+      keep(Attachments::first);
+    }
+  };
+
   FrameGraph graph;
-  graph.add("clear", [](const Strip&) {
+  graph.add("clear", [&](const Strip&) {
     const std::array<float, 4> black{};
+    keep(Attachments::both);
     glClearBufferfv(GL_COLOR, 0, black.data());
+    if (on.points) {
+      glClearBufferfv(GL_COLOR, 1, black.data());
+    }
+    keep(Attachments::first);
   });
   if (plan.star_count > 0) {
     timed("stars", timings, [&] { star_pass_.place(sky, view, plan, outputs.star_shading); });
-    graph.add("stars", [&](const Strip& strip) { star_pass_.draw(strip); });
+    graph.add("stars", [&](const Strip& strip) { with_points(star_pass_, strip); });
   }
   if (has(plan.options.layers, Layer::planets)) {
     timed("planets", timings, [&] { planet_pass_.place(sky, view, plan); });
-    graph.add("planets", [&](const Strip& strip) { planet_pass_.draw(strip); });
+    graph.add("planets", [&](const Strip& strip) { with_points(planet_pass_, strip); });
   }
   if (plan.dark_sky) {
     dark_sky_pass_.prepare(view, plan);
@@ -99,15 +138,15 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
   }
   if (plan.moon) {
     timed("moon", timings, [&] { moon_pass_.prepare(sky, view, plan, outputs.moon_shading); });
-    graph.add("moon", [&](const Strip& strip) { moon_pass_.draw(strip); });
+    graph.add("moon", [&](const Strip& strip) { with_disc(moon_pass_, strip); });
   }
   if (plan.sun) {
     timed("sun", timings, [&] { sun_pass_.prepare(sky, view, plan); });
-    graph.add("sun", [&](const Strip& strip) { sun_pass_.draw(strip); });
+    graph.add("sun", [&](const Strip& strip) { with_disc(sun_pass_, strip); });
   }
   if (has(plan.options.layers, Layer::ground)) {
     ground_pass_.prepare(view, plan);
-    graph.add("ground", [&](const Strip& strip) { ground_pass_.draw(strip); });
+    graph.add("ground", [&](const Strip& strip) { with_points(ground_pass_, strip); });
   }
   if (!plan.lights.empty()) {
     timed("sky map", timings, [&] { sky_pass_.prepare(sky, view, plan); });
@@ -117,16 +156,32 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     graph.add("airglow", [&](const Strip& strip) { dark_sky_pass_.draw_air(strip); });
   }
 
-  const int rows = strip_rows(view, strip_limit_);
-  const Target& on = target(view.width, rows, format);
-  for (int first = 0; first < view.height; first += rows) {
-    const Strip strip{first, std::min(rows, view.height - first)};
+  const auto draw = [&](const Strip& strip) {
     glBindFramebuffer(GL_FRAMEBUFFER, on.framebuffer.name());
     glViewport(0, 0, view.width, strip.rows);
     graph.run(strip, timings);
+    // Mappings read what was drawn.
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  };
+  const auto for_each_strip = [&](const auto& work) {
+    for (int first = 0; first < view.height; first += rows) {
+      work(Strip{first, std::min(rows, view.height - first)});
+    }
+  };
+  const bool whole = rows >= view.height;
+  if (outputs.mapping != nullptr) {
+    outputs.mapping->start(view);
+    for_each_strip([&](const Strip& strip) {
+      draw(strip);
+      timed("look", timings, [&] { outputs.mapping->look({on.frame, on.points, strip}); });
+    });
+  }
+  for_each_strip([&](const Strip& strip) {
+    if (outputs.mapping == nullptr || !whole) {
+      draw(strip);
+    }
     if (outputs.mapping != nullptr) {
-      timed("display", timings,
-            [&] { outputs.mapping->map(on.frame, on.pixels, view.width, strip.rows, strip.first_row); });
+      timed("display", timings, [&] { outputs.mapping->map({on.frame, on.points, strip}, on.pixels); });
     }
     timed("read back", timings, [&] {
       if (outputs.xyzs) {
@@ -139,7 +194,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
       }
     });
     require_no_error("reading the frame back");
-  }
+  });
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   return frame;
 }

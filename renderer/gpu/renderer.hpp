@@ -30,7 +30,8 @@ struct RenderOutputs {
 };
 
 /// Needs a current OpenGL 4.5 core context from construction to destruction, all on one thread. A picture larger than
-/// the GPU's largest texture is drawn in strips, with the same pixels as in one piece.
+/// the GPU's largest texture is drawn in strips, with the same pixels as in one piece; twice where it is mapped for a
+/// display, which looks at all of it first.
 class Renderer {
 public:
   /// The library must outlive the renderer. There are no stars until load().
@@ -55,7 +56,7 @@ public:
 
 private:
   struct Target;
-  Target& target(int width, int rows, PixelFormat format);
+  Target& target(int width, int rows, const DisplayMapping* mapping);
 
   StarPass star_pass_;
   PlanetPass planet_pass_;

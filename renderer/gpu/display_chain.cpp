@@ -1,0 +1,133 @@
+#include "vesper/gpu/display_chain.hpp"
+
+#include "vesper/base/error.hpp"
+#include "vesper/gpu/display_uniforms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace vesper::gpu {
+namespace {
+
+constexpr GLint display_location = 20; // of shaders/display_chain.comp
+
+void require_settings(const DisplaySettings& settings) {
+  if (settings.format == PixelFormat::rgba32f) {
+    throw Error(ErrorKind::argument, "a display takes no code values of 32-bit floats",
+                {"", "", "Give rgba8 or rgba16"});
+  }
+  if (!std::isfinite(settings.tone.stops) || !std::isfinite(settings.tone.exposure_value.value_or(0.0))) {
+    throw Error(ErrorKind::argument, "exposures must be finite", {"", "", "Give stops of, say, -30 to 30"});
+  }
+}
+
+/// A picture that shows angles larger than they are is looked at as through a telescope; one that shows them smaller is
+/// still what the naked eye sees.
+double magnification(const View& view, const Display& display) {
+  const f64::ProjectionFrame projection = projection_frame(view);
+  const double per_steradian =
+      f64::pixels_per_steradian(0.5 * projection.size, {projection.kind, projection.size, projection.focal});
+  const double per_degree = std::sqrt(per_steradian) * (1.0 * deg).to(rad);
+  return std::max(1.0, per_degree / display.pixels_per_degree);
+}
+
+Texture texture_of(const ToneCurve& curve) {
+  std::vector<float> rgba;
+  rgba.reserve(4 * curve.nodes.size());
+  for (const f64::vec4& node : curve.nodes) {
+    for (int channel = 0; channel < 4; ++channel) {
+      rgba.push_back(static_cast<float>(node[channel]));
+    }
+  }
+  return make_row_texture(rgba);
+}
+
+} // namespace
+
+DisplayChain::DisplayChain(const ShaderLibrary& library, const DisplaySettings& settings)
+    : library_(library), programs_(library, {"display_chain.comp"}), meter_(library) {
+  use(settings);
+}
+
+void DisplayChain::use(const DisplaySettings& settings) {
+  require_settings(settings);
+  display_ = display_model(settings.display);
+  settings_ = settings;
+}
+
+void DisplayChain::start(const View& view) {
+  view_ = view;
+  meter_.start(view, settings_.metering);
+}
+
+void DisplayChain::look(const StripLight& light) {
+  const bool asked = settings_.optics.glare || settings_.optics.acuity;
+  const bool whole = light.strip.rows == view_.height && view_.projection != Projection::cubemap;
+  through_optics_ = asked && whole;
+  if (through_optics_) {
+    EyeOpticsSettings optics = settings_.optics;
+    optics.magnification = magnification(view_, settings_.display);
+    if (!optics_) {
+      optics_ = std::make_unique<EyeOptics>(library_);
+    }
+    optics_->see(light.frame, &light.points, view_, optics);
+  }
+  meter_.add(light, through_optics_ ? optics_.get() : nullptr);
+  looked_ = true;
+}
+
+void DisplayChain::find_curve() {
+  histogram_ = meter_.histogram();
+  curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
+  nodes_ = texture_of(curve_);
+  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection)),
+                                   fmt::format("TRANSFER {}", display_.transfer)};
+  if (settings_.tone.tone == ToneOperator::false_color) {
+    defines.emplace_back("FALSE_COLOR");
+  }
+  if (through_optics_) {
+    defines.emplace_back("EYE");
+  }
+  if (settings_.noise) {
+    defines.emplace_back("NOISE");
+  }
+  program_ = &programs_.get(defines);
+  const GLuint program = program_->name();
+  glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
+  glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
+  glProgramUniform1f(program, 3, settings_.format == PixelFormat::rgba16 ? 65535.0F : 255.0F);
+  glProgramUniform1ui(program, 4, settings_.seed);
+  glProgramUniform1i(program, 5, settings_.night_vision ? 1 : 0);
+  glProgramUniform1i(program, 6, settings_.tone.tone == ToneOperator::photographic ? 0 : 1);
+  if (settings_.noise) {
+    glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
+  }
+  set_display(*program_, display_location, display_);
+  looked_ = false;
+}
+
+void DisplayChain::map(const StripLight& light, const Texture& pixels) {
+  if (looked_) {
+    find_curve();
+  }
+  constexpr GLuint group = 16;
+  const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
+  glProgramUniform2i(program_->name(), 2, light.strip.first_row, light.strip.rows);
+  glUseProgram(program_->name());
+  glBindTextureUnit(0, light.frame.name());
+  glBindTextureUnit(1, light.points.name());
+  glBindTextureUnit(2, nodes_.name());
+  if (through_optics_) {
+    glBindTextureUnit(3, optics_->added().name());
+    glBindTextureUnit(4, optics_->shares().name());
+  }
+  glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
+  glDispatchCompute(groups(view_.width), groups(light.strip.rows), 1);
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+} // namespace vesper::gpu

@@ -1,0 +1,36 @@
+// Histograms of a picture's light, made on the GPU.
+#pragma once
+
+#include "vesper/gpu/display_mapping.hpp"
+#include "vesper/gpu/eye_optics.hpp"
+#include "vesper/gpu/program.hpp"
+#include "vesper/gpu/shader_library.hpp"
+#include "vesper/plan/light_metering.hpp"
+
+namespace vesper::gpu {
+
+class LightMeter {
+public:
+  /// The library must outlive the meter.
+  explicit LightMeter(const ShaderLibrary& library);
+
+  /// Begins a picture.
+  void start(const View& view, Metering metering);
+  /// Takes in the extended light of a strip.
+  /// \param optics that have seen the picture, which is the strip then; null for light as it is in the scene
+  void add(const StripLight& light, const EyeOptics* optics = nullptr);
+  /// What all strips since start() hold. Waits for the GPU.
+  [[nodiscard]] LightHistogram histogram();
+
+private:
+  ProgramVariants cell_programs_;
+  ProgramHandle histogram_program_;
+  View view_;
+  Metering metering_ = Metering::whole_field;
+  MeteringGrid grid_;
+  Buffer cells_;
+  Buffer bins_;
+  double counts_ = 0.0;
+};
+
+} // namespace vesper::gpu
