@@ -7,8 +7,8 @@
 
 namespace vesper::gpu {
 
-/// The light of a picture's strip on the GPU. Textures have the picture's width and at least the strip's rows; their row
-/// 0 is the strip's first.
+/// The light of a picture's strip on the GPU. Textures have the picture's width and at least the strip's rows; their
+/// row 0 is the strip's first.
 struct StripLight {
   const Texture& frame;  ///< rgba32f: X, Y, Z in cd/m2 and S, all light of the scene
   const Texture& points; ///< likewise, the part of it that comes from points: stars, planets, discs too small to show

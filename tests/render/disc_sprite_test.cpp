@@ -108,8 +108,8 @@ TEST_F(DiscSprites, AreFlattenedAndReddenedOnTheHorizon) {
 TEST_F(DiscSprites, AreInPlaceInAllProjections) {
   const SkyState quarter_moon = sky_at("2026-05-23T20:00:00Z");
   view.azimuth = view.altitude = view.roll = 0.0 * deg;
-  for (const Projection projection : {Projection::fisheye, Projection::stereographic, Projection::equirectangular,
-                                      Projection::cubemap}) {
+  for (const Projection projection :
+       {Projection::fisheye, Projection::stereographic, Projection::equirectangular, Projection::cubemap}) {
     view.projection = projection;
     view.fov = 60.0 * deg;
     view.width = projection == Projection::equirectangular ? 2400 : 600;

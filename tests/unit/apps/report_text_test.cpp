@@ -56,14 +56,21 @@ TEST(ReportText, ALowSunHasAnApparentAltitude) {
 TEST(ReportText, ItIsNotDayInTotality) {
   const Observer burgos{42.34 * deg, -3.70 * deg, 860.0 * metre};
   const auto text_at = [&](const char* stamp) {
-    return scene_text(sky_state(parse_instant(stamp), burgos), default_star_catalogue(), {}, {});
+    return scene_text(sky_state(parse_instant(stamp), burgos), default_star_catalogue(), {}, {}, std::nullopt);
   };
   const std::string totality = text_at("2026-08-12T18:29:30Z");
   EXPECT_NE(totality.find("Sky     dark in a total eclipse of the Sun"), std::string::npos) << totality;
-  EXPECT_EQ(totality.find("hidden by daylight"), std::string::npos);
-  const std::string before = text_at("2026-08-12T18:00:00Z");
-  EXPECT_NE(before.find("Sky     day"), std::string::npos);
-  EXPECT_NE(before.find("hidden by daylight"), std::string::npos);
+  EXPECT_NE(text_at("2026-08-12T18:00:00Z").find("Sky     day"), std::string::npos);
+}
+
+TEST(ReportText, StarsThatTheSkyOutshinesAreSaidToBeTooFaint) {
+  const SkyState sky = sky_state(parse_instant("2026-08-12T22:00:00Z"), {42.34 * deg, -3.70 * deg, 860.0 * metre});
+  const auto too_faint = [&](std::optional<double> limit) {
+    return scene_text(sky, default_star_catalogue(), {}, {}, limit).find("too faint to be seen") != std::string::npos;
+  };
+  EXPECT_TRUE(too_faint(-3.0));
+  EXPECT_FALSE(too_faint(6.0));
+  EXPECT_FALSE(too_faint(std::nullopt));
 }
 
 TEST(ReportText, MoonPhasesHaveTheirNames) {
