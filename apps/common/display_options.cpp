@@ -80,7 +80,7 @@ std::string apply_pixels_per_degree(std::string_view text, DisplayOptions& optio
 
 std::string apply_bits(std::string_view text, DisplayOptions& options) {
   const auto bits = parse_number<int>(text);
-  if (bits != 8 && bits != 16) {
+  if (!bits || (*bits != 8 && *bits != 16)) {
     return "8, 16";
   }
   options.bits = *bits;

@@ -178,7 +178,7 @@ std::vector<StarSight> star_sights(const std::vector<RequestedStar>& stars, cons
     const RequestedStar& star = stars[i];
     const Vec3 seen = apparent_direction(direction_of(directions[i]), refraction);
     const auto through_air = [&](double sine) {
-      return PointLight{star.light * star_extinction(extinction, sine, star.light), star.lux_ratio};
+      return StarLight{star.light * star_extinction(extinction, sine, star.light), star.lux_ratio};
     };
     sights.push_back(
         star_sight({star.magnitude.value_or(-100.0), latitude_of(seen), through_air(seen.z), through_air(1.0)},

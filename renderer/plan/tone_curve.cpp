@@ -12,8 +12,9 @@ constexpr std::array<std::string_view, 5> names_of_operators{"visibility", "rein
 
 /// Reinhard's white, in units of the scaled luminance: a scene's adaptation luminance has its key there.
 constexpr double reinhard_white = 8.0;
-/// A display's viewer is adapted to a fifth of its white, as to a picture of daylight on it.
-constexpr double viewer_share_of_peak = 0.2;
+/// A display's viewer is adapted to that share of its white: a picture's customary mean is a fifth, but a sky fills it
+/// and is what is bright in most pictures.
+constexpr double viewer_share_of_peak = 0.3;
 /// The scene's adaptation luminance is shown at that share of the display's range at most, so that what is brighter
 /// keeps some room.
 constexpr double most_of_range = 0.7;

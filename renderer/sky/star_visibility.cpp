@@ -21,13 +21,13 @@ struct HidingLight {
 
 } // namespace
 
-PointLight usual_star(const Vec4& share) {
+StarLight usual_star(const Vec4& share) {
   static const Vec4 light = vector_of(star_color(usual_b_v));
   static const double lux_ratio = star_lux_ratio(usual_b_v);
   return {light * share, lux_ratio};
 }
 
-double limiting_magnitude(const Vec4& background, const PointLight& star, double field_factor) {
+double limiting_magnitude(const Vec4& background, const StarLight& star, double field_factor) {
   const double cones = f64::mesopic_cone_share(background.y, background.w);
   const double seen = f64::seen_light(star.at_the_eye.y, star.at_the_eye.w, cones);
   if (!(seen > 0.0)) {
@@ -54,7 +54,7 @@ StarSight star_sight(const StarView& star, const SkyBackground& background, Angl
   if (star.magnitude <= sight.limiting_magnitude) {
     return sight;
   }
-  const auto seen = [&](const SkyBackground& sky, const PointLight& light) {
+  const auto seen = [&](const SkyBackground& sky, const StarLight& light) {
     return star.magnitude <= limiting_magnitude(sky.sum(), light, field_factor);
   };
   const std::array hiding{HidingLight{&SkyBackground::sun, sun_altitude > almanac_sunrise_altitude

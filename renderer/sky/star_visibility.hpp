@@ -10,21 +10,21 @@
 namespace vesper {
 
 /// A point of light as it reaches the eye.
-struct PointLight {
+struct StarLight {
   Vec4 at_the_eye{};      ///< X, Y, Z, S in lux for 1 lux above the air
   double lux_ratio = 1.0; ///< over that of an A0 star, as in photometry.hpp
 };
 
 /// A star of B-V = 0.7, which limits are given for unless a star is named.
 /// \param share what the air leaves of its X, Y, Z and S
-[[nodiscard]] PointLight usual_star(const Vec4& share);
+[[nodiscard]] StarLight usual_star(const Vec4& share);
 
 /// Magnitude V above the air of the faintest star that is seen in a place of the sky, by Crumey's law
 /// (shaders/lib/visibility.glsl), by an eye adapted to that place.
 /// \param background X, Y, Z, S in cd/m2, >= 0
 /// \param field_factor of the observer, > 0: the less, the keener
 /// -infinity where nothing of the light comes through.
-[[nodiscard]] double limiting_magnitude(const Vec4& background, const PointLight& star,
+[[nodiscard]] double limiting_magnitude(const Vec4& background, const StarLight& star,
                                         double field_factor = f64::default_field_factor);
 
 /// What keeps a star from being seen: without it, it would be.
@@ -41,8 +41,8 @@ struct StarSight {
 struct StarView {
   double magnitude = 0.0; ///< V above the air
   Angle altitude;         ///< as it is seen, refracted
-  PointLight light;
-  PointLight in_zenith; ///< the same light, if it stood there
+  StarLight light;
+  StarLight in_zenith; ///< the same light, if it stood there
 };
 
 /// Of a star that is not seen, what hides it is the first of these that, taken away, would show it: the Sun's light in

@@ -178,25 +178,9 @@ FN vec3 dithered(vec3 codes, uint column, uint row, uint seed, Real steps) {
   return codes + noise / steps;
 }
 
-// CIE XYZ to linear sRGB (IEC 61966-2-1 primaries, D65 white).
+// CIE XYZ to linear sRGB in seven digits, for what measures itself against a plain pass.
 FN vec3 srgb_from_xyz(vec3 xyz) {
   return vec3(Real(3.2404542) * xyz.x - Real(1.5371385) * xyz.y - Real(0.4985314) * xyz.z,
               Real(-0.9692660) * xyz.x + Real(1.8760108) * xyz.y + Real(0.0415560) * xyz.z,
               Real(0.0556434) * xyz.x - Real(0.2040259) * xyz.y + Real(1.0572252) * xyz.z);
-}
-
-// Brings a colour into the display's range: its largest component is left as it is up to a half and approaches 1 above,
-// the others keep their ratio to it, so that neither a star's core nor a bright sky is bleached and no edge shows where
-// a component would be clipped. Negative components (outside the gamut) are cut.
-FN vec3 fit_to_display(vec3 linear) {
-  vec3 positive = max(linear, vec3(Real(0.0), Real(0.0), Real(0.0)));
-  Real largest = max(positive.x, max(positive.y, positive.z));
-  return largest > Real(0.5) ? positive * ((Real(1.0) - Real(0.5) * exp(Real(1.0) - Real(2.0) * largest)) / largest)
-                             : positive;
-}
-
-// Plain exposure: the luminance that becomes the display's white, in cd/m2, divides the frame.
-FN vec3 plain_exposure(vec3 xyz, Real white_cd_m2) {
-  vec3 linear = fit_to_display(srgb_from_xyz(xyz / white_cd_m2));
-  return vec3(srgb_encode(linear.x), srgb_encode(linear.y), srgb_encode(linear.z));
 }

@@ -89,7 +89,7 @@ void eye_optics(benchmark::State& state, bool glare, bool acuity, bool has_point
   // A dark sky with a Moon in it.
   std::vector<float> light(static_cast<std::size_t>(4 * width * height), 3.0e-4F);
   for (int row = 300; row < 309; ++row) {
-    std::fill_n(light.begin() + 4 * (row * width + 500), 36, 2500.0F);
+    std::fill_n(light.begin() + 4 * (std::ptrdiff_t{row} * width + 500), 36, 2500.0F);
   }
   const gpu::Texture frame = gpu::make_texture(width, height, gpu::PixelFormat::rgba32f);
   const gpu::Texture points = gpu::make_texture(width, height, gpu::PixelFormat::rgba32f);

@@ -65,7 +65,8 @@ LightHistogram histogram_of(const PictureLight& light, const MeteringGrid& grid)
       Cell cell{};
       for (int i = 0; i < grid.samples * grid.samples; ++i) {
         const double x = (column + (i % grid.samples + 0.5) / grid.samples) / grid.columns * view.width;
-        const double y = (row + (i / grid.samples + 0.5) / grid.samples) / grid.rows * view.height;
+        const int sample_row = i / grid.samples;
+        const double y = (row + (sample_row + 0.5) / grid.samples) / grid.rows * view.height;
         const double per_steradian = f64::pixels_per_steradian({x, y}, frame);
         if (per_steradian > 0.0) {
           const std::size_t at =
@@ -208,13 +209,14 @@ TEST_F(DisplayChains, ColourFadesByNight) {
 
 TEST_F(DisplayChains, StandWhatNoSkyShows) {
   const View view = square_view(64);
-  const std::size_t values = 4 * 64 * 64;
+  const std::size_t values = std::size_t{4} * 64 * 64;
   PictureLight black{view, std::vector<float>(values, 0.0F), {}};
   PictureLight pixel = black;
   PictureLight half = black;
   PictureLight odd = black;
+  constexpr std::size_t bright = 8000;
   for (std::size_t i = 0; i < 4; ++i) {
-    pixel.frame[4 * 2000 + i] = 2.0e9F;
+    pixel.frame[bright + i] = 2.0e9F;
   }
   std::fill(half.frame.begin(), half.frame.begin() + static_cast<std::ptrdiff_t>(values / 2), 1.0e4F);
   std::mt19937 random(3);
@@ -233,9 +235,9 @@ TEST_F(DisplayChains, StandWhatNoSkyShows) {
       if (tone == ToneOperator::false_color || light == &odd) {
         continue;
       }
-      ASSERT_EQ(codes[4 * 60 * 64], 0) << "black";
+      ASSERT_EQ(codes[std::size_t{4} * 60 * 64], 0) << "black";
       if (light == &pixel) {
-        ASSERT_GT(codes[4 * 2000 + 1], 30000);
+        ASSERT_GT(codes[bright + 1], 30000);
       }
       if (light == &half) {
         ASSERT_GT(codes[4 * 100 + 1], 20000);
@@ -250,7 +252,7 @@ TEST_F(DisplayChains, FalseColoursTellLuminanceAndCarryALegend) {
   chain.use(deep(ToneOperator::false_color));
   const std::vector<std::uint16_t> codes = codes_of(chain, even_light(view, 50.0));
   const f64::vec3 expected = f64::false_color(50.0);
-  const std::size_t at = 4 * (100 * 240 + 100);
+  const std::size_t at = std::size_t{4} * (100 * 240 + 100);
   for (int channel = 0; channel < 3; ++channel) {
     EXPECT_NEAR(codes[at + static_cast<std::size_t>(channel)] / 65535.0, f64::srgb_encode(expected[channel]), 2.0e-4);
   }
@@ -308,7 +310,8 @@ TEST_F(DisplayChains, TheFaintestStarOnTheDisplayIsTheFaintestInTheSky) {
       std::vector<Vec2> places;
       for (int i = 0; i < across * across; ++i) {
         const double magnitude = predicted - 1.2 + 0.1 * i;
-        const Vec2 at(apart * (i % across) + 19.1 + 0.13 * i, apart * (i / across) + 18.7 + 0.07 * i);
+        const int line = i / across;
+        const Vec2 at(apart * (i % across) + 19.1 + 0.13 * i, apart * line + 18.7 + 0.07 * i);
         stars.push_back(white_star(direction_at(view, at), f64::zero_magnitude_lux * std::pow(10.0, -0.4 * magnitude)));
         stars.back().color = {0.99F, 1.0F, 0.8F, static_cast<float>(sp_ratio)};
         places.push_back(at);
@@ -324,9 +327,9 @@ TEST_F(DisplayChains, TheFaintestStarOnTheDisplayIsTheFaintestInTheSky) {
       const std::vector<std::uint16_t> codes = codes_of(chain, light);
       // The faintest of those that are seen without a gap.
       double measured = predicted - 1.3;
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const SeenExcess excess = excess_at(codes, view, static_cast<int>(places[i].x), static_cast<int>(places[i].y),
-                                            10, display, chain.curve().mean_cd_m2);
+      for (const Vec2& place : places) {
+        const SeenExcess excess = excess_at(codes, view, static_cast<int>(place.x), static_cast<int>(place.y), 10,
+                                            display, chain.curve().mean_cd_m2);
         if (excess.lux < f64::threshold_illuminance_lux(excess.background_cd_m2, f64::default_field_factor)) {
           break;
         }

@@ -203,13 +203,6 @@ TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
        {9000, 90000, 1, 70},
        11,
        1.0e-6F},
-      {"plain_exposure",
-       "vec4(plain_exposure(v.xyz, 1.0e-3), 0)",
-       [](const glm::vec4& v) { return glm::vec4(f32::plain_exposure(glm::vec3(v), 1.0e-3F), 0); },
-       {0, 0, 0, 0},
-       {2.0e-3F, 2.0e-3F, 2.0e-3F, 0},
-       12,
-       1.0e-4F},
   };
   const std::array<const char*, 5> names{"perspective", "fisheye", "stereographic", "equirectangular", "cubemap"};
   for (int kind = 0; kind < 5; ++kind) {

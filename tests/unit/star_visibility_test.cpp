@@ -49,7 +49,7 @@ TEST(StarSight, TellsWhatHidesAStar) {
 }
 
 TEST(LimitingMagnitude, IsSoundInDarknessAndBeforeTheSun) {
-  const PointLight star = usual_star(Vec4(1.0));
+  const StarLight star = usual_star(Vec4(1.0));
   // Without any background: the eye's own darkness.
   EXPECT_NEAR(limiting_magnitude(Vec4(0.0), star), 7.8, 0.05);
   EXPECT_TRUE(std::isfinite(limiting_magnitude(Vec4(2.0e9), star)));
@@ -57,7 +57,7 @@ TEST(LimitingMagnitude, IsSoundInDarknessAndBeforeTheSun) {
   // A tenth of the light left is two and a half magnitudes.
   EXPECT_NEAR(limiting_magnitude(night, star) - limiting_magnitude(night, usual_star(Vec4(0.1))), 2.5, 1.0e-9);
   // In the dark a star without blue counts for less than its V, by day it does not.
-  PointLight red = star;
+  StarLight red = star;
   red.at_the_eye.w *= 0.5;
   EXPECT_LT(limiting_magnitude(night, red), limiting_magnitude(night, star) - 0.7);
   EXPECT_EQ(limiting_magnitude(1.0e6 * night, red), limiting_magnitude(1.0e6 * night, star));

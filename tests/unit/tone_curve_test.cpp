@@ -125,7 +125,7 @@ TEST(ToneCurves, MatchWhatCanJustBeToldApart) {
     const ToneCurve curve = curve_for(field);
     const double scene_step = std::min(f64::cone_threshold_cd_m2(luminance), f64::rod_threshold_cd_m2(2.3 * luminance));
     const Display display;
-    const double viewer = 0.2 * (curve.floor_cd_m2 + (display.peak - display.black).to(candela_per_m2));
+    const double viewer = 0.3 * (curve.floor_cd_m2 + (display.peak - display.black).to(candela_per_m2));
     const double display_step = f64::cone_threshold_cd_m2(viewer);
     EXPECT_NEAR(shown(curve, luminance) / luminance, display_step / scene_step, 0.01 * display_step / scene_step)
         << luminance;
