@@ -15,20 +15,22 @@ dusk() {
   echo "docs/pictures/$name.png"
 }
 
-# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian.
+# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian, as a camera has it.
 picture() {
   local name=$1
   shift
-  "$render" --quiet --time 2026-01-15T22:00:00Z --latitude 51.4769 --longitude 0 --height 47 --seed 1 "$@" \
+  "$render" --quiet --time 2026-01-15T22:00:00Z --latitude 51.4769 --longitude 0 --height 47 --seed 1 \
+    --operator photographic --exposure -1 "$@" \
     -o "docs/pictures/$name.png"
   echo "docs/pictures/$name.png"
 }
 
-# milky_way NAME TIME OPTIONS...: a new Moon on the Teide at solar minimum.
+# milky_way NAME TIME OPTIONS...: a new Moon on the Teide at solar minimum, as a camera has it.
 milky_way() {
   local name=$1 time=$2
   shift 2
-  "$render" --quiet --time "$time" --latitude 28.3 --longitude -16.5 --height 2400 --seed 1 --solar-flux 70 "$@" \
+  "$render" --quiet --time "$time" --latitude 28.3 --longitude -16.5 --height 2400 --seed 1 --solar-flux 70 \
+    --operator photographic "$@" \
     -o "docs/pictures/$name.png"
   echo "docs/pictures/$name.png"
 }
@@ -38,10 +40,10 @@ picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --siz
 picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
 picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800
 "$render" --quiet --time 2026-03-18T21:00:00Z --latitude 28.3 --longitude -16.5 --height 2400 --seed 1 --projection perspective \
-  --azimuth 270 --altitude 25 --fov 70 --size 1200x800 --solar-flux 80 -o docs/pictures/zodiacal.png
+  --azimuth 270 --altitude 25 --fov 70 --size 1200x800 --solar-flux 80 --operator photographic -o docs/pictures/zodiacal.png
 echo docs/pictures/zodiacal.png
 dusk dusk --projection perspective --azimuth 285 --altitude 20 --fov 60 --size 1200x600
 # The summer Milky Way over the south, its clouds in Sagittarius, and the winter one.
 milky_way milky_way_summer 2026-07-14T23:30:00Z --size 600x600
-milky_way milky_way_sagittarius 2026-07-14T23:30:00Z --projection perspective --azimuth 183 --altitude 33 --fov 30 --size 600x450 --exposure 2
+milky_way milky_way_sagittarius 2026-07-14T23:30:00Z --projection perspective --azimuth 183 --altitude 33 --fov 30 --size 600x450
 milky_way milky_way_winter 2026-01-18T22:30:00Z --size 600x600
