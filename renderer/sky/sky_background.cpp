@@ -28,13 +28,14 @@ public:
                  Length height, const std::vector<Angle>& altitudes)
       : dark_(dark), air_(medium, height, std::nullopt), scattered_(tables, height, altitudes) {
     const Spectrum& sunlight = solar_irradiance_1au();
+    static const Mat4 to_airglow = response_matrix(sunlight, airglow_spectrum());
+    static const Mat4 to_zodiacal = response_matrix(sunlight, zodiacal_spectrum(0.5));
+    static const Mat4 to_starlight = response_matrix(sunlight, faint_starlight_spectrum());
     const Angle lowest = scattered_.lowest();
-    airglow_ = {spread_light(lowest, [&](const Vec3& at) { return airglow_above(dark, at.z).y; }),
-                response_matrix(sunlight, airglow_spectrum())};
-    zodiacal_ = {spread_light(lowest, [&](const Vec3& at) { return zodiacal_light(dark, at).y; }),
-                 response_matrix(sunlight, zodiacal_spectrum(0.5))};
+    airglow_ = {spread_light(lowest, [&](const Vec3& at) { return airglow_above(dark, at.z).y; }), to_airglow};
+    zodiacal_ = {spread_light(lowest, [&](const Vec3& at) { return zodiacal_light(dark, at).y; }), to_zodiacal};
     starlight_ = {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; }),
-                  response_matrix(sunlight, faint_starlight_spectrum())};
+                  to_starlight};
     if (dark.glow.zenith > Luminance()) {
       glow_.emplace(medium, height, dark.glow.distance);
       const Xyzs lamp = integrate_xyzs(lamp_spectrum());
