@@ -79,7 +79,10 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
       more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
-    color *= under_ceiling(tone.x, more, display.range_cd_m2) / (tone.x + more);
+    // The ceiling is what the display can show of that colour.
+    vec3 rgb = display.rgb_from_xyz * color / (tone.x + more);
+    float ceiling = max(display.range_cd_m2 / max(max(rgb.x, rgb.y), max(rgb.z, 1.0)), tone.x);
+    color *= under_ceiling(tone.x, more, ceiling) / (tone.x + more);
   }
   return signal_of(color);
 }

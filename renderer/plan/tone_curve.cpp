@@ -21,11 +21,23 @@ constexpr double most_of_range = 0.7;
 /// Share of the contrast above the adaptation luminance that goes to luminances by their octaves, however few cells
 /// have them: so that small discs, too, have a surface.
 constexpr double even_share = 0.05;
+/// Where rods see, contrast just above the adaptation luminance, that of the Milky Way, is raised by this share of its
+/// logarithm, and ever less beyond some octaves: a choice of taste, for a picture of the night is looked at in a room that
+/// is not as dark.
+constexpr double more_contrast_by_night = 1.0;
+constexpr double octaves_of_more_contrast = 1.5;
+/// Matched steps show all days alike, as Weber's law has it. The brighter ones look brighter by this power of luminance
+/// from where cones obey it, so that noon is brighter than sunset: a choice of taste.
+constexpr double brighter_by_day = 0.06;
+constexpr double weber_from_cd_m2 = 80.0;
 constexpr double octaves_per_node = 1.0 / f64::tone_nodes_per_octave;
 
 double octave_of(std::size_t node) { return f64::tone_lowest_octave + octaves_per_node * static_cast<double>(node); }
 
 double in_dark(double luminance_cd_m2) { return std::max(luminance_cd_m2, f64::dark_background_cd_m2); }
+
+/// The share of the cones where a mesopic luminance is seen (CIE 191:2010).
+double cone_share(double seen_cd_m2) { return std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0); }
 
 /// What a viewer of the display can just tell apart there, who never adapts to less than a share of its white.
 double display_step(double shown_cd_m2, double adaptation_cd_m2) {
@@ -50,16 +62,19 @@ public:
     viewer_ = viewer_share_of_peak * (floor_ + range_);
     const double field = in_dark(adapted_to(histogram).cones.to(candela_per_m2));
     anchor_ = std::log2(field);
-    const double shown = field * std::exp2(stops) * display_step(0.0, viewer_) / eye_step_;
+    more_contrast_ = more_contrast_by_night * (1.0 - cone_share(field));
+    const double day = std::pow(std::max(field / weber_from_cd_m2, 1.0), brighter_by_day);
+    const double shown = field * day * std::exp2(stops) * display_step(0.0, viewer_) / eye_step_;
     anchor_shown_ = std::log2(std::min(shown, most_of_range * range_));
   }
 
   [[nodiscard]] std::vector<double> octaves() const {
     std::vector<double> shown(f64::tone_nodes);
+    const double rise = f64::rise_of_equal_contrast(std::exp2(anchor_shown_), floor_);
     std::size_t first = shown.size();
     for (std::size_t node = shown.size(); node-- > 0;) {
       const double octave = octave_of(node);
-      shown[node] = anchor_shown_ + octave - anchor_;
+      shown[node] = anchor_shown_ + rise * (octave - anchor_);
       first = octave > anchor_ ? node : first;
     }
     const double top = brightest();
@@ -110,14 +125,13 @@ private:
     double at = anchor_shown_;
     double end = at;
     for (std::size_t node = first; node < shown.size(); ++node) {
-      const double luminance = std::exp2(from);
-      const double display = std::exp2(at);
-      const double rise = f64::steepest_rise(display_step(floor_ + display, viewer_) / display,
-                                             std::max(f64::just_noticeable_cd_m2(luminance), eye_step_) / luminance);
+      const double above = (from - anchor_) / octaves_of_more_contrast;
+      const double rise =
+          (1.0 + more_contrast_ * std::exp(-above * above)) * f64::rise_of_equal_contrast(std::exp2(at), floor_);
+      // Beyond the brightest cell, for single pixels and glare, it nears the display's white.
       const bool occurs = from < top;
-      // Beyond the brightest, so that the curve still rises for a single pixel.
-      constexpr double rest = 0.02;
-      at += (octave_of(node) - from) * std::min(rise, occurs ? octaves * share[node] : rest);
+      const double room = std::max(1.0 - std::exp2(at) / range_, 0.0);
+      at += (octave_of(node) - from) * (occurs ? std::min(rise, octaves * share[node]) : room * rise);
       if (occurs) {
         end = at;
       }
@@ -132,6 +146,7 @@ private:
   double range_;
   double eye_step_;
   double viewer_ = 0.0;
+  double more_contrast_ = 0.0;
   double anchor_ = 0.0;
   double anchor_shown_ = 0.0;
 };
@@ -177,7 +192,7 @@ double point_threshold_lux(double background_cd_m2, const AdaptationState& state
 
 /// A mesopic luminance as threshold_illuminance_lux counts it.
 double as_background(double seen_cd_m2) {
-  const double m = std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0);
+  const double m = cone_share(seen_cd_m2);
   // S of light of that mesopic luminance and a usual star's S/P.
   const double rods = (1.0 - m) * f64::rods_at_555_nm;
   const double photopic = seen_cd_m2 * (m + rods) / (m + rods * f64::usual_star_sp_ratio);

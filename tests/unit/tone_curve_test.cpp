@@ -126,16 +126,18 @@ TEST(ToneCurves, MatchWhatCanJustBeToldApart) {
     const double scene_step = std::min(f64::cone_threshold_cd_m2(luminance), f64::rod_threshold_cd_m2(2.3 * luminance));
     const Display display;
     const double viewer = 0.3 * (curve.floor_cd_m2 + (display.peak - display.black).to(candela_per_m2));
-    const double display_step = f64::cone_threshold_cd_m2(viewer);
-    EXPECT_NEAR(shown(curve, luminance) / luminance, display_step / scene_step, 0.01 * display_step / scene_step)
-        << luminance;
+    // By day brightness goes on to grow, where steps, by Weber's law, are matched at any.
+    const double by_day = std::pow(std::max(luminance / 80.0, 1.0), 0.06);
+    const double expected = by_day * f64::cone_threshold_cd_m2(viewer) / scene_step;
+    EXPECT_NEAR(shown(curve, luminance) / luminance, expected, 0.01 * expected) << luminance;
   }
 }
 
 TEST(ToneCurves, DarkenFromNoonToMidnight) {
   const double white = Display{}.peak.to(candela_per_m2);
   double last = 1.0;
-  for (const double luminance : {5.0e3, 5.0, 0.3, 0.004, 3.0e-4}) { // noon, civil and nautical dusk, full Moon, dark
+  // Noon, sunset, civil and nautical dusk, full Moon, dark.
+  for (const double luminance : {5.0e3, 500.0, 5.0, 0.3, 0.004, 3.0e-4}) {
     const double share = curve_for(sky_of(luminance)).mean_cd_m2 / white;
     std::printf("sky of %g cd/m2: the display shows %.4f of its white in the mean\n", luminance, share);
     EXPECT_LT(share, last);
@@ -143,6 +145,47 @@ TEST(ToneCurves, DarkenFromNoonToMidnight) {
   }
   EXPECT_GT(curve_for(sky_of(5.0e3)).mean_cd_m2, 0.15 * white);
   EXPECT_LT(last, 0.02);
+}
+
+/// Contrast of all that leaves the display between two luminances of the scene.
+double contrast_shown(const ToneCurve& curve, double bright, double dark) {
+  return (curve.floor_cd_m2 + shown(curve, bright)) / (curve.floor_cd_m2 + shown(curve, dark));
+}
+
+TEST(ToneCurves, TheMilkyWayKeepsItsContrast) {
+  // A sky of 21.7 mag/arcsec2 with the clouds of Sagittarius, 20.58 in all, on a twentieth of it.
+  const double sky = 2.3e-4;
+  const double clouds = sky * std::pow(10.0, 0.4 * (21.7 - 20.58));
+  const LightHistogram field = field_of({{sky, 0.8}, {1.3 * sky, 0.15}, {clouds, 0.05}});
+  for (const double peak : {50.0, 200.0, 1000.0}) {
+    const Display display{.peak = peak * candela_per_m2, .black = 0.001 * peak * candela_per_m2};
+    const double contrast = contrast_shown(curve_for(field, ToneOperator::visibility, display), clouds, sky);
+    std::printf("clouds of Sagittarius, %.2f times the sky, are %.2f times as bright on a display of %.0f cd/m2\n",
+                clouds / sky, contrast, peak);
+    EXPECT_GT(contrast, clouds / sky);
+    EXPECT_LT(contrast, 2.5 * clouds / sky);
+  }
+}
+
+TEST(ToneCurves, DaylightGetsNoMoreContrastThanItHas) {
+  for (const double luminance : {10.0, 300.0, 5.0e3}) {
+    const ToneCurve curve = curve_for(sky_of(luminance));
+    for (double octave = -2.0; octave < 4.0; octave += 0.125) {
+      const double at = luminance * std::exp2(octave);
+      EXPECT_LT(contrast_shown(curve, 1.1 * at, at), 1.1 * 1.002) << luminance << " " << octave;
+    }
+  }
+}
+
+TEST(Points, GrowBrighterThanTheirThresholdAsks) {
+  EXPECT_LT(f64::point_boost(0.25), 1.15); // the brightest pixel of a point at its threshold
+  double last = 0.0;
+  for (double over = 1.0e-3; over < 1.0e5; over *= 1.1) {
+    EXPECT_GT(over * f64::point_boost(over), last);
+    last = over * f64::point_boost(over);
+  }
+  // A power of 1.5 of the light, far above.
+  EXPECT_NEAR(f64::point_boost(4.0e4) / f64::point_boost(1.0e4), 2.0, 0.01);
 }
 
 TEST(ToneCurves, NeitherSunNorMoonThrowsTheSky) {
