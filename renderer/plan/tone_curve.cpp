@@ -21,11 +21,12 @@ constexpr double most_of_range = 0.7;
 /// Share of the contrast above the adaptation luminance that goes to luminances by their octaves, however few cells
 /// have them: so that small discs, too, have a surface.
 constexpr double even_share = 0.05;
-/// Where rods see, contrast just above the adaptation luminance, that of the Milky Way, is raised by this share of its
-/// logarithm, and ever less beyond some octaves: a choice of taste, for a picture of the night is looked at in a room that
-/// is not as dark.
+/// In the dark, contrast around the adaptation luminance and above it, that of the Milky Way, is raised by up to this
+/// share of its logarithm: a choice of taste, for a picture of the night is looked at in a room that is not as dark. All
+/// of it under the darkest sky, nothing under one a hundred times brighter.
 constexpr double more_contrast_by_night = 1.0;
-constexpr double octaves_of_more_contrast = 1.5;
+constexpr double darkest_sky_cd_m2 = 5.0e-4;
+constexpr double bright_night_cd_m2 = 5.0e-2;
 /// Matched steps show all days alike, as Weber's law has it. The brighter ones look brighter by this power of luminance
 /// from where cones obey it, so that noon is brighter than sunset: a choice of taste.
 constexpr double brighter_by_day = 0.06;
@@ -62,7 +63,8 @@ public:
     viewer_ = viewer_share_of_peak * (floor_ + range_);
     const double field = in_dark(adapted_to(histogram).cones.to(candela_per_m2));
     anchor_ = std::log2(field);
-    more_contrast_ = more_contrast_by_night * (1.0 - cone_share(field));
+    const double darkness = std::log(bright_night_cd_m2 / field) / std::log(bright_night_cd_m2 / darkest_sky_cd_m2);
+    more_contrast_ = more_contrast_by_night * std::clamp(darkness, 0.0, 1.0);
     const double day = std::pow(std::max(field / weber_from_cd_m2, 1.0), brighter_by_day);
     const double shown = field * day * std::exp2(stops) * display_step(0.0, viewer_) / eye_step_;
     anchor_shown_ = std::log2(std::min(shown, most_of_range * range_));
@@ -70,12 +72,18 @@ public:
 
   [[nodiscard]] std::vector<double> octaves() const {
     std::vector<double> shown(f64::tone_nodes);
+    std::size_t first = 0;
+    while (octave_of(first) <= anchor_) {
+      ++first;
+    }
+    // Down to black, which is never reached, by one power.
     const double rise = f64::rise_of_equal_contrast(std::exp2(anchor_shown_), floor_);
-    std::size_t first = shown.size();
-    for (std::size_t node = shown.size(); node-- > 0;) {
-      const double octave = octave_of(node);
-      shown[node] = anchor_shown_ + rise * (octave - anchor_);
-      first = octave > anchor_ ? node : first;
+    double from = anchor_;
+    double at = anchor_shown_;
+    for (std::size_t node = first; node-- > 0;) {
+      at -= rise * more_contrast(0.5 * (from + octave_of(node))) * (from - octave_of(node));
+      shown[node] = at;
+      from = octave_of(node);
     }
     const double top = brightest();
     const std::vector<double> share = shares(first, top);
@@ -93,6 +101,13 @@ public:
   }
 
 private:
+  /// Factor of contrast at log2 of a luminance: most half an octave above the adaptation luminance, 1 from half an octave
+  /// below it downwards and again some octaves above.
+  [[nodiscard]] double more_contrast(double octave) const {
+    const double x = std::max(octave - anchor_ + 0.5, 0.0);
+    return 1.0 + more_contrast_ * x * std::exp(0.5 - 0.5 * x * x);
+  }
+
   /// log2 of the brightest cell's luminance.
   [[nodiscard]] double brightest() const {
     std::size_t bin = histogram_.seen.size();
@@ -102,13 +117,25 @@ private:
     return f64::tone_lowest_octave + static_cast<double>(bin) / f64::tone_bins_per_octave;
   }
 
+  /// How often luminances of about a node's occur: weighted over an octave to both sides, because few cells would make
+  /// steps that show as rings around a light.
+  [[nodiscard]] double occurrence(std::size_t node) const {
+    constexpr int nodes_per_bin = f64::tone_nodes_per_octave / f64::tone_bins_per_octave;
+    constexpr int reach = f64::tone_bins_per_octave;
+    const int bin = (static_cast<int>(node) - 1) / nodes_per_bin;
+    double sum = 0.0;
+    for (int i = std::max(bin - reach, 0); i <= std::min(bin + reach, f64::tone_bins - 1); ++i) {
+      sum += histogram_.seen.at(static_cast<std::size_t>(i)) * (1.0 - std::abs(i - bin) / (reach + 1.0));
+    }
+    return sum;
+  }
+
   /// How much of the range above the anchor each step would have, per octave.
   [[nodiscard]] std::vector<double> shares(std::size_t first, double top) const {
     std::vector<double> share(f64::tone_nodes, 0.0);
-    constexpr int steps_per_bin = f64::tone_nodes_per_octave / f64::tone_bins_per_octave;
     double sum = 0.0;
     for (std::size_t node = first; node < share.size(); ++node) {
-      share[node] = histogram_.seen.at(std::min((node - 1) / steps_per_bin, histogram_.seen.size() - 1));
+      share[node] = occurrence(node);
       sum += share[node] * octaves_per_node;
     }
     for (std::size_t node = first; node < share.size(); ++node) {
@@ -125,9 +152,7 @@ private:
     double at = anchor_shown_;
     double end = at;
     for (std::size_t node = first; node < shown.size(); ++node) {
-      const double above = (from - anchor_) / octaves_of_more_contrast;
-      const double rise =
-          (1.0 + more_contrast_ * std::exp(-above * above)) * f64::rise_of_equal_contrast(std::exp2(at), floor_);
+      const double rise = more_contrast(0.5 * (from + octave_of(node))) * f64::rise_of_equal_contrast(std::exp2(at), floor_);
       // Beyond the brightest cell, for single pixels and glare, it nears the display's white.
       const bool occurs = from < top;
       const double room = std::max(1.0 - std::exp2(at) / range_, 0.0);
