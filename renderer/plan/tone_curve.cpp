@@ -22,8 +22,8 @@ constexpr double most_of_range = 0.7;
 /// have them: so that small discs, too, have a surface.
 constexpr double even_share = 0.05;
 /// In the dark, contrast around the adaptation luminance and above it, that of the Milky Way, is raised by up to this
-/// share of its logarithm: a choice of taste, for a picture of the night is looked at in a room that is not as dark. All
-/// of it under the darkest sky, nothing under one a hundred times brighter.
+/// share of its logarithm: a choice of taste, for a picture of the night is looked at in a room that is not as dark.
+/// All of it under the darkest sky, nothing under one a hundred times brighter.
 constexpr double more_contrast_by_night = 1.0;
 constexpr double darkest_sky_cd_m2 = 5.0e-4;
 constexpr double bright_night_cd_m2 = 5.0e-2;
@@ -39,6 +39,13 @@ double in_dark(double luminance_cd_m2) { return std::max(luminance_cd_m2, f64::d
 
 /// The share of the cones where a mesopic luminance is seen (CIE 191:2010).
 double cone_share(double seen_cd_m2) { return std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0); }
+
+/// Rise of the logarithm of what a display adds to its floor, over the scene's logarithm of luminance, at which all
+/// that leaves the display has the scene's contrast. At most 2: a room so bright that it would take more hides the
+/// night.
+double rise_of_equal_contrast(double added_cd_m2, double floor_cd_m2) {
+  return std::min(1.0 + floor_cd_m2 / added_cd_m2, 2.0);
+}
 
 /// What a viewer of the display can just tell apart there, who never adapts to less than a share of its white.
 double display_step(double shown_cd_m2, double adaptation_cd_m2) {
@@ -77,7 +84,7 @@ public:
       ++first;
     }
     // Down to black, which is never reached, by one power.
-    const double rise = f64::rise_of_equal_contrast(std::exp2(anchor_shown_), floor_);
+    const double rise = rise_of_equal_contrast(std::exp2(anchor_shown_), floor_);
     double from = anchor_;
     double at = anchor_shown_;
     for (std::size_t node = first; node-- > 0;) {
@@ -101,8 +108,8 @@ public:
   }
 
 private:
-  /// Factor of contrast at log2 of a luminance: most half an octave above the adaptation luminance, 1 from half an octave
-  /// below it downwards and again some octaves above.
+  /// Factor of contrast at log2 of a luminance: most half an octave above the adaptation luminance, 1 from half an
+  /// octave below it downwards and again some octaves above.
   [[nodiscard]] double more_contrast(double octave) const {
     const double x = std::max(octave - anchor_ + 0.5, 0.0);
     return 1.0 + more_contrast_ * x * std::exp(0.5 - 0.5 * x * x);
@@ -152,7 +159,7 @@ private:
     double at = anchor_shown_;
     double end = at;
     for (std::size_t node = first; node < shown.size(); ++node) {
-      const double rise = more_contrast(0.5 * (from + octave_of(node))) * f64::rise_of_equal_contrast(std::exp2(at), floor_);
+      const double rise = more_contrast(0.5 * (from + octave_of(node))) * rise_of_equal_contrast(std::exp2(at), floor_);
       // Beyond the brightest cell, for single pixels and glare, it nears the display's white.
       const bool occurs = from < top;
       const double room = std::max(1.0 - std::exp2(at) / range_, 0.0);

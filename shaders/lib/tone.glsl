@@ -91,7 +91,3 @@ FN Real photographic_white_cd_m2(Real exposure_value) { return Real(1.2) * exp2(
 FN Real metered_exposure_value(Real luminance_cd_m2) {
   return log2(max(luminance_cd_m2, Real(1.0e-30)) * (Real(100.0) / Real(12.5)));
 }
-
-// Rise of the logarithm of what a display adds to its floor, over the scene's logarithm of luminance, at which all that leaves
-// the display has the scene's contrast.
-FN Real rise_of_equal_contrast(Real added, Real floor_cd_m2) { return Real(1.0) + floor_cd_m2 / added; }

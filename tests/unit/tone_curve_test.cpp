@@ -169,6 +169,15 @@ TEST(ToneCurves, TheMilkyWayKeepsItsContrast) {
   }
 }
 
+TEST(ToneCurves, ABrightRoomTearsNoNightApart) {
+  const Display display{.ambient = 30.0 * candela_per_m2};
+  const ToneCurve curve = curve_for(sky_of(3.0e-4), ToneOperator::visibility, display);
+  for (double octave = -14.0; octave < 4.0; octave += 0.125) {
+    const double at = std::exp2(octave);
+    EXPECT_LT(shown(curve, 1.1 * at) / shown(curve, at), std::pow(1.1, 4.3)) << octave;
+  }
+}
+
 TEST(ToneCurves, DaylightGetsNoMoreContrastThanItHas) {
   for (const double luminance : {10.0, 300.0, 5.0e3}) {
     const ToneCurve curve = curve_for(sky_of(luminance));
