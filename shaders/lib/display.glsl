@@ -177,10 +177,3 @@ FN vec3 dithered(vec3 codes, uint column, uint row, uint seed, Real steps) {
   vec3 noise = Real(0.9999) * (wide - vec3(Real(0.5))) + room * (narrow - vec3(Real(0.5)));
   return codes + noise / steps;
 }
-
-// CIE XYZ to linear sRGB in seven digits, for what measures itself against a plain pass.
-FN vec3 srgb_from_xyz(vec3 xyz) {
-  return vec3(Real(3.2404542) * xyz.x - Real(1.5371385) * xyz.y - Real(0.4985314) * xyz.z,
-              Real(-0.9692660) * xyz.x + Real(1.8760108) * xyz.y + Real(0.0415560) * xyz.z,
-              Real(0.0556434) * xyz.x - Real(0.2040259) * xyz.y + Real(1.0572252) * xyz.z);
-}
