@@ -20,7 +20,7 @@ constexpr int height = 1080;
 /// A sky of a luminance in its darkest row, with a star of 3 x 3 pixels in every 20 x 60.
 void display_chain(benchmark::State& state, double luminance, const gpu::DisplaySettings& settings) {
   const gpu::HeadlessContext context;
-  const gpu::ShaderLibrary shaders = std::getenv("VS") ? gpu::ShaderLibrary(std::getenv("VS")) : gpu::ShaderLibrary();
+  const gpu::ShaderLibrary shaders;
   View view;
   view.projection = Projection::perspective;
   view.fov = 60.0 * deg;
