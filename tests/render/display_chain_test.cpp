@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 #include <random>
 
 namespace vesper::test {
@@ -31,19 +32,37 @@ gpu::DisplaySettings deep(ToneOperator tone = ToneOperator::visibility, const Di
 const std::vector<ToneOperator> all_operators{ToneOperator::visibility, ToneOperator::reinhard, ToneOperator::hable,
                                               ToneOperator::photographic, ToneOperator::false_color};
 
-/// A sky by direction, so that it does not depend on the pixels: brighter towards one side, with a Sun in the corner
-/// and a dark ground.
+/// A sky by direction, so that its light does not depend on the pixels: brighter towards one side, with a dark ground
+/// and a Sun in the corner, whose edge is shared out over the pixels that it crosses.
 PictureLight test_sky(const View& view, double luminance) {
   PictureLight light{view, {}, {}};
   const f64::PixelFrame frame = pixel_frame(view);
   const Vec3 sun = glm::normalize(Vec3(0.36, 0.34, 1.0));
+  const auto from_sun = [&](const Vec2& pixel) {
+    Vec3 direction;
+    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0)) : std::numbers::pi;
+  };
+  const auto sun_share = [&](const Vec2& pixel) {
+    constexpr double near = 4.0; // pixels
+    const double radius = (0.27 * deg).to(rad);
+    if (from_sun(pixel) > radius + near / frame.focal) {
+      return 0.0;
+    }
+    constexpr int steps = 16;
+    int inside = 0;
+    for (int i = 0; i < steps * steps; ++i) {
+      const Vec2 part((i % steps + 0.5) / steps - 0.5, (i / steps + 0.5) / steps - 0.5);
+      inside += from_sun(pixel + part) < radius ? 1 : 0;
+    }
+    return static_cast<double>(inside) / (steps * steps);
+  };
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
+      const Vec2 pixel(column + 0.5, row + 0.5);
       Vec3 direction;
-      const bool inside = f64::unproject({column + 0.5, row + 0.5}, frame, direction);
-      double y = luminance * std::exp(2.0 * direction.x) * (direction.y < -0.3 ? 0.1 : 1.0);
-      y = glm::dot(direction, sun) > std::cos((0.27 * deg).to(rad)) ? 3.0e5 * luminance : y;
-      const auto value = static_cast<float>(inside ? y : 0.0);
+      const bool inside = f64::unproject(pixel, frame, direction);
+      const double sky = std::exp(2.0 * direction.x) * (direction.y < -0.3 ? 0.1 : 1.0);
+      const auto value = static_cast<float>(inside ? luminance * (sky + 3.0e5 * sun_share(pixel)) : 0.0);
       light.frame.insert(light.frame.end(), {0.9F * value, value, 1.2F * value, 2.0F * value});
     }
   }
@@ -123,14 +142,22 @@ double mean_shown(gpu::DisplayChain& chain, const PictureLight& light) {
 }
 
 TEST_F(DisplayChains, MapAPictureOfMorePixelsToTheSameMean) {
+  ErrorSum error;
   for (const double luminance : {3.0e-4, 3.0e3}) {
-    chain.use(deep());
-    const double coarse = mean_shown(chain, test_sky(square_view(512), luminance));
-    const double fine = mean_shown(chain, test_sky(square_view(2048), luminance));
-    std::printf("sky of %g cd/m2: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance, coarse,
-                fine);
-    EXPECT_NEAR(fine / coarse, 1.0, 0.01);
+    const PictureLight coarse = test_sky(square_view(512), luminance);
+    const PictureLight fine = test_sky(square_view(2048), luminance);
+    for (const bool optics : {false, true}) {
+      gpu::DisplaySettings settings = deep();
+      settings.optics.glare = settings.optics.acuity = optics;
+      chain.use(settings);
+      const double of_coarse = mean_shown(chain, coarse);
+      const double of_fine = mean_shown(chain, fine);
+      std::printf("sky of %g cd/m2%s: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance,
+                  optics ? ", glare and acuity" : "", of_coarse, of_fine);
+      error.add(100.0 * (of_fine / of_coarse - 1.0));
+    }
   }
+  error.hold("mean luminance on the display, 2048 pixels over 512", 1.0, "%");
 }
 
 /// Every luminance from 1e-6 to 2e9 cd/m2, a column each.
