@@ -120,8 +120,9 @@ void main() {
   vec2 pixel = vec2(at) + vec2(0.5, 0.5 + float(strip.x));
 #ifdef EYE
   vec2 place = pixel / (4.0 * vec2(textureSize(eye_shares, 0)));
-  // Of points alone nothing is taken away: their threshold was measured through eyes that scatter.
-  extended = textureLod(eye_shares, place, 0.0).x * extended + textureLod(eye_added, place, 0.0);
+  vec2 kept = textureLod(eye_shares, place, 0.0).xy;
+  extended = kept.x * extended + textureLod(eye_added, place, 0.0);
+  point *= kept.y;
 #endif
 #if PROJECTION == 1
   // Outside the fisheye's circle nothing is seen, no veil either.

@@ -71,25 +71,31 @@ void DisplayChain::use(const DisplaySettings& settings) {
 void DisplayChain::start(const View& view) {
   view_ = view;
   meter_.start(view, settings_.metering);
-}
-
-void DisplayChain::look(const StripLight& light) {
-  const bool asked = settings_.optics.glare || settings_.optics.acuity;
-  const bool whole = light.strip.rows == view_.height && view_.projection != Projection::cubemap;
-  through_optics_ = asked && whole;
+  EyeOpticsSettings optics = settings_.optics;
+  through_optics_ = (optics.glare || optics.acuity) && view.projection != Projection::cubemap;
   if (through_optics_) {
-    EyeOpticsSettings optics = settings_.optics;
-    optics.magnification = magnification(view_, settings_.display);
     if (!optics_) {
       optics_ = std::make_unique<EyeOptics>(library_);
     }
-    optics_->see(light.frame, &light.points, view_, optics);
+    optics.magnification = magnification(view, settings_.display);
+    optics_->start(view, optics, true);
   }
-  meter_.add(light, through_optics_ ? optics_.get() : nullptr);
+}
+
+void DisplayChain::look(const StripLight& light) {
+  if (through_optics_) {
+    optics_->add(light.frame, &light.points, light.strip);
+  } else {
+    meter_.add(light);
+  }
   looked_ = true;
 }
 
 void DisplayChain::find_curve() {
+  if (through_optics_) {
+    optics_->finish();
+    meter_.add(*optics_);
+  }
   histogram_ = meter_.histogram();
   curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
   nodes_ = texture_of(curve_);
