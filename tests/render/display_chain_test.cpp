@@ -129,16 +129,15 @@ TEST_F(DisplayChains, MeterAsTheProcessorDoes) {
   error.hold("metering on the GPU, share of a bin", 1.0e-3, "");
 }
 
-double mean_shown(gpu::DisplayChain& chain, const PictureLight& light) {
-  const std::vector<std::uint16_t> codes = codes_of(chain, light);
+double mean_shown(const std::vector<std::uint16_t>& codes, const View& view) {
   const f64::DisplayModel display = display_model({});
   double sum = 0.0;
-  for (int row = 0; row < light.view.height; row += 2) {
-    for (int column = 0; column < light.view.width; column += 2) {
-      sum += light_at(codes, light.view.width, column, row, display, 0.0).y;
+  for (int row = 0; row < view.height; row += 2) {
+    for (int column = 0; column < view.width; column += 2) {
+      sum += light_at(codes, view.width, column, row, display, 0.0).y;
     }
   }
-  return sum / (0.25 * light.view.width * light.view.height);
+  return sum / (0.25 * view.width * view.height);
 }
 
 TEST_F(DisplayChains, MapAPictureOfMorePixelsToTheSameMean) {
@@ -150,14 +149,58 @@ TEST_F(DisplayChains, MapAPictureOfMorePixelsToTheSameMean) {
       gpu::DisplaySettings settings = deep();
       settings.optics.glare = settings.optics.acuity = optics;
       chain.use(settings);
-      const double of_coarse = mean_shown(chain, coarse);
-      const double of_fine = mean_shown(chain, fine);
+      const double of_coarse = mean_shown(codes_of(chain, coarse), coarse.view);
+      const double of_fine = mean_shown(codes_of(chain, fine), fine.view);
       std::printf("sky of %g cd/m2%s: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance,
                   optics ? ", glare and acuity" : "", of_coarse, of_fine);
       error.add(100.0 * (of_fine / of_coarse - 1.0));
     }
   }
   error.hold("mean luminance on the display, 2048 pixels over 512", 1.0, "%");
+}
+
+TEST_F(DisplayChains, ASequenceIsAdaptedFirstAndThenDrawnInAnyOrder) {
+  // Lights go out, and on again.
+  constexpr std::size_t frames = 5;
+  constexpr std::array<double, frames> luminances{300.0, 300.0, 1.0e-3, 1.0e-3, 300.0};
+  constexpr std::array<double, frames> seconds{0.0, 10.0, 20.0, 200.0, 200.2};
+  std::vector<PictureLight> pictures;
+  std::vector<MeteredInstant> instants;
+  const View view = square_view(96);
+  for (std::size_t i = 0; i < frames; ++i) {
+    pictures.push_back(even_light(view, luminances.at(i)));
+    chain.use(deep());
+    static_cast<void>(codes_of(chain, pictures.back()));
+    instants.push_back({seconds.at(i), adapted_to(chain.histogram())});
+  }
+  const std::vector<AdaptationState> states = adapt(instants);
+  const auto draw = [&](std::size_t frame) {
+    gpu::DisplaySettings settings = deep();
+    settings.optics = {};
+    settings.noise = true;
+    settings.adaptation = states[frame];
+    settings.seconds = seconds.at(frame);
+    settings.seed = static_cast<std::uint32_t>(frame);
+    chain.use(settings);
+    return codes_of(chain, pictures[frame]);
+  };
+  std::vector<std::vector<std::uint16_t>> in_order;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    in_order.push_back(draw(frame));
+  }
+  for (const std::size_t frame : std::array<std::size_t, frames>{3, 0, 4, 2, 1}) {
+    EXPECT_EQ(draw(frame), in_order[frame]) << frame;
+  }
+  // The eye is still blind when it gets dark, and dazzled when light is back.
+  const double black = f64::display_floor_cd_m2(display_model({}), 0.0);
+  const auto shown = [&](std::size_t frame) { return mean_shown(in_order[frame], view) - black; };
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::printf("%5.1f s, sky of %5g cd/m2, cones adapted to %8.3g, rods to %8.3g: %.3g cd/m2 over black\n",
+                seconds.at(frame), luminances.at(frame), states[frame].cones.to(candela_per_m2),
+                states[frame].rods.to(candela_per_m2), shown(frame));
+  }
+  EXPECT_LT(shown(2), 0.5 * shown(3));
+  EXPECT_GT(shown(4), 1.02 * shown(1));
 }
 
 /// Every luminance from 1e-6 to 2e9 cd/m2, a column each.
