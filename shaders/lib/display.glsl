@@ -58,7 +58,7 @@ FN Real srgb_encode(Real linear) {
 FN Real quick_srgb_encode(Real linear) {
   Real q = sqrt(sqrt(max(linear, Real(0.0))));
   Real square = q * q;
-  Real low = (Real(-0.0595898443) + q * Real(0.140166561)) + square * (Real(1.36302318) - q * Real(0.84538134));
+  Real low = (Real(-0.0595898443) + q * Real(0.1401665628)) + square * (Real(1.36302318) - q * Real(0.84538134));
   Real high = (Real(0.646562603) - q * Real(0.310809615)) + square * Real(0.0660284535);
   Real root = low + square * square * high;
   return linear <= Real(0.0031308) ? Real(12.92) * linear : root;
