@@ -56,7 +56,7 @@ struct PlannedDisc {
   double cells_of_radius = 20.0;    ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
-/// (smallest_psf_sigma in shaders/lib/star_psf.glsl).
+/// (psf_sigma in shaders/lib/star_psf.glsl).
 inline constexpr double narrowest_disc_px = 3.0;
 /// From there to here they are sprites, where the picture allows it.
 inline constexpr double widest_sprite_px = 16.0;
