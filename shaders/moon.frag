@@ -60,15 +60,22 @@ vec4 disc_light(DiscCell cell, out float hidden) {
 vec4 light_apart(DiscCell pixel, out float altitude) {
   vec4 light = vec4(0.0);
   altitude = 0.0;
+  vec3 to_sun = moon.lighting.to_sun * moon.fixed_from_disc;
+  float reach = lunar_relief_reach + block.disc.sine;
+  float extent = 0.5 * (length(pixel.across) + length(pixel.down));
+  float nearest = min(length(pixel.place) + extent, 1.0);
+  if (!disc_is_lit(reach + dot(to_sun.xy, pixel.place) + length(to_sun.xy) * extent, nearest * nearest - 1.0,
+                   to_sun.z * to_sun.z)) {
+    return light;
+  }
   float along_across = abs(dot(pixel.across, pixel.place)) / length(pixel.across);
   float along_down = abs(dot(pixel.down, pixel.place)) / length(pixel.down);
   vec2 line = along_across > along_down ? pixel.across : pixel.down;
   vec2 beside = along_across > along_down ? pixel.down : pixel.across;
-  vec3 to_sun = moon.lighting.to_sun * moon.fixed_from_disc;
   int lines = clamp(int(ceil(moon.crescent_cells * length(beside))), 1, most_cells);
   for (int i = 0; i < lines; ++i) {
     vec2 from = pixel.place + ((float(i) + 0.5) / float(lines) - 0.5) * beside - 0.5 * line;
-    DiscArc arc = disc_lit_arc(from, line, to_sun, lunar_relief_reach + block.disc.sine);
+    DiscArc arc = disc_lit_arc(from, line, to_sun, reach);
     float angle = arc.end - arc.start;
     int cells = angle > 0.0 ? clamp(int(ceil(moon.crescent_cells * angle)), 1, most_cells) : 0;
     for (int k = 0; k < cells; ++k) {

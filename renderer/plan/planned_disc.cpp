@@ -62,7 +62,7 @@ void cut(PlannedMoon& moon, const SkyState& sky) {
   const Angle phase = sky.moon.phase_angle;
   double lit_width = 1.0 + std::cos(phase.to(rad)); // in radii, at the most
   const double lit_px = std::numbers::pi / 8.0 * lit_width * std::pow(moon.picture.width_px, 2);
-  constexpr double crescent_places = 12000.0; // leave 0.1 to 0.2 % of noise in its light
+  constexpr double crescent_places = 8000.0; // leave 0.1 to 0.2 % of noise in its light
   if (phase > 100.0 * deg) {
     moon.picture.cells_of_radius = 20.0;
     if (lit_px < crescent_places) {

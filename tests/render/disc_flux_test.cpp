@@ -147,12 +147,12 @@ TEST_F(DiscFlux, TheRealMoonFromAFewPixelsOn) {
 TEST_F(DiscFlux, CrescentsOfTheRealMoonFromAFewPixelsOn) {
   options.discs.moon = nullptr;
   // Before and after a new Moon, which light other limbs.
-  for (const double hours : {15.0, 24.0, 36.0, 48.0, 72.0, 120.0}) {
+  for (const double hours : {15.0, 30.0, 48.0, 96.0}) {
     for (const double way : {-1.0, 1.0}) {
       const SkyState sky = sky_state(later(parse_instant("2026-05-16T20:00:00Z"), way * 3600.0 * hours),
                                      {50.0 * deg, 10.0 * deg, 100.0 * metre});
       ErrorSum sum;
-      for (const double wide_px : {6.0, 12.0, 16.5, 20.0, 32.0, 64.0, 110.0, 200.0, 400.0}) {
+      for (const double wide_px : {6.0, 16.5, 23.0, 40.0, 90.0, 200.0, 400.0}) {
         const double fov_deg = 0.53 * std::max(64.0, 1.2 * wide_px) / wide_px;
         sum.add(errors(Body::moon, sky, {Projection::perspective, fov_deg, static_cast<int>(fov_deg / 0.53 * wide_px)}, 3)
                     .worst());
