@@ -39,40 +39,53 @@ layout(location = 6) uniform int points_as_seen; // 0: points count by their lum
 #ifdef NOISE
 layout(location = 7) uniform float seconds;
 #endif
+layout(location = 8) uniform mat3 signal_from_xyz; // of light over the floor
 layout(location = 20) uniform DisplayModel display;
 
 // Solid angle over which the eye spreads a point of light, sr: a disc of 2 arcmin.
 const float point_image_sr = 2.7e-7;
 
-float cone_share(vec4 light) { return night_vision == 0 ? 1.0 : local_cone_share(light.y, light.w); }
+// Logarithms to base 2 by the bits of floats, which count them in straight pieces: within 0.043.
+float octave_of(float x) { return float(floatBitsToInt(x)) * exp2(-23.0) - 126.957; }
 
-// Of the light that a display adds to its floor.
-vec3 signal_of(vec3 xyz) {
-  return fit_to_gamut(display.rgb_from_xyz * xyz / display.range_cd_m2, xyz.y / display.range_cd_m2);
+// local_cone_share within 0.005.
+float cone_share(vec4 light) {
+  float share = cone_share_of_octave(octave_of(mesopic_luminance(light.y, light.w, 0.5)));
+  return night_vision == 0 ? 1.0 : share;
+}
+
+// tone_curve by a texel for each eighth of an octave as floats count them: renderer/gpu/display_chain.cpp fills it.
+vec3 curve_at(float luminance) {
+  const int eighth = 1 << 20;
+  int bits = floatBitsToInt(luminance) - ((127 + tone_lowest_octave) << 23);
+  bits = clamp(bits, 0, tone_nodes * eighth - 1);
+  vec4 texel = texelFetch(curve, bits / eighth, 0);
+  return vec3(texel.x + float(bits & (eighth - 1)) * exp2(-20.0) * texel.y, texel.z, texel.w);
 }
 
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   float cones = cone_share(extended);
-  vec3 seen = seen_color(extended, cones);
-#ifdef NOISE
+  float rods = (1.0 - cones) * rods_at_555_nm;
   PixelFrame picture = PixelFrame(PROJECTION, size, focal);
+  float rod_light = rods * extended.w;
+#ifdef NOISE
   vec3 direction;
   if (unproject(at, picture, direction)) {
     float degrees = degrees(inversesqrt(max(pixels_per_steradian(at, picture), 1.0e-6)));
     float grain = visual_noise_cd_m2(extended.w, cones);
     grain *= visual_noise(direction, int(at.x), int(at.y), degrees, seconds, seed);
-    seen = max(seen + grain * night_hue, vec3(0.0));
+    rod_light = max(rod_light + (cones + rods) * grain, 0.0);
   }
 #endif
-  float luminance = max(seen.y, 0.0);
-  vec3 tone = tone_curve(luminance, curve);
-  vec3 color = seen * (tone.x / max(luminance, 1.0e-30));
-  // A loop of one round and no branch: software drivers leave out loops that nobody enters, but go through branches.
-  int rounds = point.y > 0.0 ? 1 : 0;
-  for (int i = 0; i < rounds; ++i) {
-    float pixel_sr = 1.0 / max(pixels_per_steradian(at, PixelFrame(PROJECTION, size, focal)), 1.0e-6);
+  // seen_color times (cones + rods), which only its luminance needs.
+  vec3 color = cones * extended.xyz + rod_light * night_hue;
+  vec3 tone = curve_at(max(color.y, 0.0) / (cones + rods));
+  color *= tone.x * (1.0 / max(color.y, 1.0e-30));
+  float shown = tone.x;
+  if (point.y > 0.0) {
+    float pixel_sr = 1.0 / max(pixels_per_steradian(at, picture), 1.0e-6);
     // A pixel in the middle of a star holds a fourth of its light.
-    vec3 seen_point = seen_color(point, cone_share(point * (4.0 * pixel_sr / point_image_sr)));
+    vec3 seen_point = seen_color(point, cone_share(point * (4.0 / point_image_sr * pixel_sr)));
     float more = tone.y * point.y;
     if (points_as_seen != 0) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
@@ -80,11 +93,24 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
     }
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
     // The ceiling is what the display can show of that colour.
-    vec3 rgb = display.rgb_from_xyz * color / (tone.x + more);
-    float ceiling = max(display.range_cd_m2 / max(max(rgb.x, rgb.y), max(rgb.z, 1.0)), tone.x);
-    color *= under_ceiling(tone.x, more, ceiling) / (tone.x + more);
+    float asked = max(tone.x + more, 1.0e-30);
+    vec3 rgb = signal_from_xyz * color;
+    float ceiling = asked / max(max(rgb.x, rgb.y), max(rgb.z, asked / display.range_cd_m2));
+    shown = under_ceiling(tone.x, more, max(ceiling, tone.x));
+    color *= shown / asked;
   }
-  return signal_of(color);
+  // Of the light that a display adds to its floor.
+  return fit_to_gamut(signal_from_xyz * color, shown / display.range_cd_m2);
+}
+
+float encoded(float signal) {
+#if TRANSFER == 0
+  return quick_srgb_encode(signal);
+#else
+  DisplayModel coded = display;
+  coded.transfer = TRANSFER;
+  return transfer_encode(signal, coded);
+#endif
 }
 
 void main() {
@@ -98,8 +124,9 @@ void main() {
   vec2 pixel = vec2(at) + vec2(0.5, 0.5 + float(strip.x));
 #ifdef EYE
   vec2 place = pixel / (4.0 * vec2(textureSize(eye_shares, 0)));
-  // Of points alone nothing is taken away: their threshold was measured through eyes that scatter.
-  extended = textureLod(eye_shares, place, 0.0).x * extended + textureLod(eye_added, place, 0.0);
+  vec2 kept = textureLod(eye_shares, place, 0.0).xy;
+  extended = kept.x * extended + textureLod(eye_added, place, 0.0);
+  point *= kept.y;
 #endif
 #if PROJECTION == 1
   // Outside the fisheye's circle nothing is seen, no veil either.
@@ -114,9 +141,6 @@ void main() {
 #else
   vec3 signal = mapped(extended, point, pixel);
 #endif
-  DisplayModel coded = display;
-  coded.transfer = TRANSFER;
-  vec3 codes = vec3(transfer_encode(signal.x, coded), transfer_encode(signal.y, coded),
-                    transfer_encode(signal.z, coded));
+  vec3 codes = vec3(encoded(signal.x), encoded(signal.y), encoded(signal.z));
   imageStore(pixels, at, vec4(dithered(codes, uint(at.x), uint(strip.x + at.y), seed, steps), 1.0));
 }

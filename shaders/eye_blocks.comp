@@ -1,5 +1,5 @@
-// The frame in blocks of 4 x 4 pixels: their mean light, and where in them it comes from, so that a star's veil has the
-// star in its middle.
+// A strip of the frame in blocks of 4 x 4 pixels: their mean light, and where in them it comes from, so that a star's veil
+// has the star in its middle.
 #include "prelude.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
@@ -15,10 +15,13 @@ layout(binding = 1) uniform sampler2D points;
 layout(binding = 2, rgba32f) uniform writeonly image2D extended;
 #endif
 
+layout(location = 0) uniform ivec2 strip; // its first row of blocks, its rows of pixels
+
 void main() {
   ivec2 block = ivec2(gl_GlobalInvocationID.xy);
   ivec2 first = int(block_side) * block;
-  ivec2 count = clamp(ivec2(eye.size) - first, ivec2(0), ivec2(block_side));
+  ivec2 most = ivec2(int(eye.size.x), strip.y);
+  ivec2 count = clamp(most - first, ivec2(0), ivec2(block_side));
   if (count.x * count.y == 0) {
     return;
   }
@@ -29,7 +32,7 @@ void main() {
     for (int x = 0; x < 4; ++x) {
       ivec2 pixel = first + ivec2(x, y);
       float part = x < count.x && y < count.y ? 1.0 : 0.0;
-      pixel = min(pixel, ivec2(eye.size) - 1);
+      pixel = min(pixel, most - 1);
       vec4 here = part * texelFetch(frame, pixel, 0);
       sum += here;
       moment += max(here.y, 0.0) * vec2(x, y);
@@ -40,6 +43,7 @@ void main() {
   }
   float share = 1.0 / float(count.x * count.y);
   vec2 middle = sum.y > 0.0 ? (moment / sum.y + 0.5) / block_side - 0.5 : vec2(0.0);
+  block.y += strip.x;
   imageStore(light, block, share * sum);
   imageStore(centre, block, vec4(clamp(middle, -0.5, 0.5), 0.0, 0.0));
 #ifdef POINTS

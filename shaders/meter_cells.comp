@@ -1,15 +1,16 @@
 // Light of the cells by which a picture is metered: sums over the samples that fall into a strip, added to those of the
-// strips before. EYE has the light as glare and acuity leave it.
+// strips before. EYE has the light as glare and acuity leave it, from the eye's blocks of the whole picture.
 #include "prelude.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler2D frame;
-layout(binding = 1) uniform sampler2D points;
 #ifdef EYE
 layout(binding = 3) uniform sampler2D eye_added;
 layout(binding = 4) uniform sampler2D eye_shares;
+#else
+layout(binding = 1) uniform sampler2D points;
 #endif
 layout(location = 0) uniform vec2 size; // of the picture
 layout(location = 1) uniform float focal;
@@ -36,11 +37,12 @@ void main() {
     if (per_steradian <= 0.0) {
       continue;
     }
+#ifdef EYE
+    ivec2 block = at / 4;
+    vec4 extended = texelFetch(eye_shares, block, 0).x * texelFetch(frame, block, 0) + texelFetch(eye_added, block, 0);
+#else
     ivec2 texel = at - ivec2(0, strip.x);
     vec4 extended = max(texelFetch(frame, texel, 0) - texelFetch(points, texel, 0), vec4(0.0));
-#ifdef EYE
-    vec2 on_eye = place * size / (4.0 * vec2(textureSize(eye_shares, 0)));
-    extended = textureLod(eye_shares, on_eye, 0.0).x * extended + textureLod(eye_added, on_eye, 0.0);
 #endif
     float weight = 1.0 / per_steradian;
     if (foveal > 0.0) {

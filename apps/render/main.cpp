@@ -212,9 +212,15 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  gpu::DisplayChain chain(shaders, display_settings(options, kind, display_options));
+  const gpu::DisplaySettings display = display_settings(options, kind, display_options);
+  gpu::DisplayChain chain(shaders, display);
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;
+  if (!outputs.xyzs && scene.view.projection == Projection::cubemap && (display.optics.glare || display.optics.acuity)) {
+    spdlog::warn("a cube map goes without the eye's glare and acuity, which belong to whoever looks at it through a "
+                 "program of theirs. Give --glare off --acuity off to say so, or --projection equirectangular for a "
+                 "whole sky that has them");
+  }
   outputs.mapping = outputs.xyzs ? nullptr : &chain;
   outputs.timings = options.timings;
   if (options.timings) {
@@ -280,10 +286,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--night-vision", options.night_vision,
                  "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
       ->check(on_off);
-  app.add_option("--glare", options.glare, "light that the eye scatters: on, off; on but for --operator photographic")
+  app.add_option("--glare", options.glare, "light that the eye scatters: on, off; on but for --operator photographic and cube maps")
       ->check(on_off);
   app.add_option("--acuity", options.acuity,
-                 "detail fades where it is dark: on, off; on but for --operator photographic")
+                 "detail fades where it is dark: on, off; on but for --operator photographic and cube maps")
       ->check(on_off);
   app.add_option("--noise", options.noise, "grain that is seen in the dark: on, off (default)")->check(on_off);
   app.add_option("--age", options.age, "years of the eye that scatters, 0 to 100; default 30")

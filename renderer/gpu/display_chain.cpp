@@ -35,12 +35,21 @@ double magnification(const View& view, const Display& display) {
   return std::max(1.0, per_degree / display.pixels_per_degree);
 }
 
+/// The curve at the eighths of octaves by which floats count, so that the GPU needs no logarithm:
+/// shaders/display_chain.comp.
 Texture texture_of(const ToneCurve& curve) {
+  const f64::sampler1D nodes{curve.nodes.data(), static_cast<int>(curve.nodes.size())};
+  const auto at = [&nodes](int eighth, double part) {
+    const int octave = f64::tone_lowest_octave + eighth / f64::tone_nodes_per_octave;
+    const double mantissa = 1.0 + (eighth % f64::tone_nodes_per_octave + part) / f64::tone_nodes_per_octave;
+    return f64::tone_curve(std::ldexp(mantissa, octave), nodes);
+  };
   std::vector<float> rgba;
-  rgba.reserve(4 * curve.nodes.size());
-  for (const f64::vec4& node : curve.nodes) {
-    for (int channel = 0; channel < 4; ++channel) {
-      rgba.push_back(static_cast<float>(node[channel]));
+  for (int eighth = 0; eighth < f64::tone_nodes; ++eighth) {
+    const double here = at(eighth, 0.0).x;
+    const f64::vec3 middle = at(eighth, 0.5);
+    for (const double value : {here, at(eighth + 1, 0.0).x - here, middle.y, middle.z}) {
+      rgba.push_back(static_cast<float>(value));
     }
   }
   return make_row_texture(rgba);
@@ -62,25 +71,31 @@ void DisplayChain::use(const DisplaySettings& settings) {
 void DisplayChain::start(const View& view) {
   view_ = view;
   meter_.start(view, settings_.metering);
-}
-
-void DisplayChain::look(const StripLight& light) {
-  const bool asked = settings_.optics.glare || settings_.optics.acuity;
-  const bool whole = light.strip.rows == view_.height && view_.projection != Projection::cubemap;
-  through_optics_ = asked && whole;
+  EyeOpticsSettings optics = settings_.optics;
+  through_optics_ = (optics.glare || optics.acuity) && view.projection != Projection::cubemap;
   if (through_optics_) {
-    EyeOpticsSettings optics = settings_.optics;
-    optics.magnification = magnification(view_, settings_.display);
     if (!optics_) {
       optics_ = std::make_unique<EyeOptics>(library_);
     }
-    optics_->see(light.frame, &light.points, view_, optics);
+    optics.magnification = magnification(view, settings_.display);
+    optics_->start(view, optics, true);
   }
-  meter_.add(light, through_optics_ ? optics_.get() : nullptr);
+}
+
+void DisplayChain::look(const StripLight& light) {
+  if (through_optics_) {
+    optics_->add(light.frame, &light.points, light.strip);
+  } else {
+    meter_.add(light);
+  }
   looked_ = true;
 }
 
 void DisplayChain::find_curve() {
+  if (through_optics_) {
+    optics_->finish();
+    meter_.add(*optics_);
+  }
   histogram_ = meter_.histogram();
   curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
   nodes_ = texture_of(curve_);
@@ -106,6 +121,8 @@ void DisplayChain::find_curve() {
   if (settings_.noise) {
     glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
   }
+  const f32::mat3 signal_from_xyz(display_.rgb_from_xyz / display_.range_cd_m2);
+  glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
   set_display(*program_, display_location, display_);
   looked_ = false;
 }

@@ -30,8 +30,7 @@ struct DisplaySettings {
   std::uint32_t seed = 0;                  ///< of dither and grain
 };
 
-/// Pictures in strips go without glare and acuity, which need all of a picture at once; so do cube maps, which are seen
-/// through another program's view.
+/// Cube maps go without glare and acuity: they are seen through another program's view.
 class DisplayChain : public DisplayMapping {
 public:
   /// The library must outlive the chain. Throws Error(argument) for settings out of range.

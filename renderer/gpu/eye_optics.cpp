@@ -140,6 +140,10 @@ struct EyeOptics::Pyramid {
     const int side = block_side << cell_level;
     return up(width, side) * up(height, side);
   }
+  [[nodiscard]] const Texture& of_extended() const { return points ? extended : light; }
+  [[nodiscard]] std::vector<std::string> defines() const {
+    return points ? std::vector<std::string>{"POINTS"} : std::vector<std::string>{};
+  }
   [[nodiscard]] int across(int level) const { return columns << (cell_level - level); }
   [[nodiscard]] int down(int level) const { return rows << (cell_level - level); }
 
@@ -170,8 +174,15 @@ EyeOptics::EyeOptics(const ShaderLibrary& library)
 EyeOptics::~EyeOptics() = default;
 
 void EyeOptics::see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings) {
+  start(view, settings, points != nullptr);
+  add(frame, points, {0, view.height});
+  finish();
+}
+
+const Texture& EyeOptics::blocks() const { return pyramid_->of_extended(); }
+
+void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool has_points) {
   validate(view, settings);
-  const bool has_points = points != nullptr && settings.acuity;
   if (!pyramid_ || pyramid_->width != view.width || pyramid_->height != view.height ||
       pyramid_->unseen != settings.unseen.size() || pyramid_->points != has_points) {
     pyramid_.reset();
@@ -181,8 +192,13 @@ void EyeOptics::see(const Texture& frame, const Texture* points, const View& vie
   }
   const Pyramid& levels = *pyramid_;
 
-  const f64::EyeScatter cie = f64::eye_scatter(settings.age_years, settings.pigmentation);
-  const f64::EyeScatter eye = f64::eye_scatter_times(cie, 1.0 / light_over_sphere(cie));
+  if (observer_.age_years != settings.age_years || observer_.pigmentation != settings.pigmentation) {
+    const f64::EyeScatter cie = f64::eye_scatter(settings.age_years, settings.pigmentation);
+    observer_ = {settings.age_years, settings.pigmentation,
+                 f64::eye_scatter_times(cie, 1.0 / light_over_sphere(cie))};
+  }
+  const f64::EyeScatter& eye = observer_.scatter;
+  glare_ = settings.glare;
   const f64::ProjectionFrame projection = projection_frame(view);
   const bool wraps = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
   const auto real = [](double value) { return static_cast<float>(value); };
@@ -219,40 +235,49 @@ void EyeOptics::see(const Texture& frame, const Texture* points, const View& vie
   for (const Texture* texture : interpolated) {
     set_wrap(*texture, wraps);
   }
+}
 
+void EyeOptics::add(const Texture& frame, const Texture* points, const Strip& strip) {
+  const Pyramid& levels = *pyramid_;
+  const ProgramHandle& program = blocks_programs_.get(levels.defines());
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+  glProgramUniform2i(program.name(), 0, strip.first_row / block_side, strip.rows);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, levels.lights.name());
-  const std::vector<std::string> defines = has_points ? std::vector<std::string>{"POINTS"} : std::vector<std::string>{};
   write_to(0, levels.light, 0, GL_RGBA32F);
   write_to(1, levels.centre, 0, GL_RG32F);
   glBindTextureUnit(0, frame.name());
-  if (has_points) {
+  if (levels.points) {
     write_to(2, levels.extended, 0, GL_RGBA32F);
     glBindTextureUnit(1, points->name());
   }
-  run(blocks_programs_.get(defines), levels.across(0), levels.down(0));
+  run(program, levels.across(0), up(strip.rows, block_side));
+}
+
+void EyeOptics::finish() {
+  const Pyramid& levels = *pyramid_;
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, levels.lights.name());
   glBindTextureUnit(0, levels.light.name());
   glBindTextureUnit(1, levels.centre.name());
   glBindTextureUnit(2, levels.extended.name());
   for (int level = 1; level <= levels.cell_level; ++level) {
-    const ProgramHandle& halve = halve_programs_.get(defines);
+    const ProgramHandle& halve = halve_programs_.get(levels.defines());
     glProgramUniform1i(halve.name(), 0, level);
     write_to(0, levels.light, level, GL_RGBA32F);
     write_to(1, levels.centre, level, GL_RG32F);
-    if (has_points) {
+    if (levels.points) {
       write_to(2, levels.extended, level, GL_RGBA32F);
     }
     run(halve, levels.across(level), levels.down(level));
   }
-  if (settings.glare) {
+  if (glare_) {
     scatter();
   }
   glBindTextureUnit(0, levels.spread.name());
   glBindTextureUnit(1, levels.veil.name());
   glBindTextureUnit(2, levels.far_veil.name());
   glBindTextureUnit(3, levels.near_shares.name());
-  glBindTextureUnit(4, has_points ? levels.extended.name() : levels.light.name());
+  glBindTextureUnit(4, levels.of_extended().name());
   write_to(0, added_, 0, GL_RGBA32F);
   write_to(1, shares_, 0, GL_RG32F);
   run(seen_, levels.across(0), levels.down(0));

@@ -2,7 +2,9 @@
 // falls, pools it over wider areas (acuity).
 #pragma once
 
+#include "vesper/base/shader_math.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/shader_library.hpp"
@@ -53,12 +55,23 @@ public:
   EyeOptics& operator=(const EyeOptics&) = delete;
   ~EyeOptics();
 
-  /// \param frame  rgba32f of the view's size: all light, X, Y, Z in cd/m2 and S
-  /// \param points rgba32f of the same size: the part of it that comes from points; null for none
+  /// Begins a picture.
+  /// \param has_points whether the part of its light that comes from points will be told, which glare spreads and
+  ///                   acuity does not
   /// Throws Error(argument) for settings out of range, and for a cube map: its six faces are seen from within, through
   /// another program's view, whose eye this is not.
+  void start(const View& view, const EyeOpticsSettings& settings, bool has_points);
+  /// Takes in a strip, which starts at a multiple of 4 rows; strips come in any order.
+  /// \param frame  rgba32f of the view's width, its row 0 the strip's first: all light, X, Y, Z in cd/m2 and S
+  /// \param points likewise: the part of it that comes from points; null for none
+  void add(const Texture& frame, const Texture* points, const Strip& strip);
+  /// Once all strips are in: makes what follows.
+  void finish();
+  /// The three in one, of a picture in one piece.
   void see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings);
 
+  /// Extended light in blocks of 4 x 4 pixels as it came in: rgba32f, of the size of added(); nothing past the picture.
+  [[nodiscard]] const Texture& blocks() const;
   /// What extended light gains: rgba32f, X, Y, Z in cd/m2 and S.
   [[nodiscard]] const Texture& added() const { return added_; }
   /// rg32f: the share of a pixel's extended light that stays sharp, and that of its point light.
@@ -66,6 +79,11 @@ public:
 
 private:
   struct Pyramid;
+  struct Observer {
+    double age_years = -1.0;
+    double pigmentation = 0.0;
+    f64::EyeScatter scatter{}; ///< over its integral over the sphere
+  };
   void scatter();
 
   ProgramVariants blocks_programs_;
@@ -80,6 +98,8 @@ private:
   Texture added_;
   Texture shares_;
   std::unique_ptr<Pyramid> pyramid_;
+  Observer observer_; ///< of the last picture
+  bool glare_ = false;
 };
 
 } // namespace vesper::gpu

@@ -16,13 +16,16 @@ public:
 
   /// Begins a picture.
   void start(const View& view, Metering metering);
-  /// Takes in the extended light of a strip.
-  /// \param optics that have seen the picture, which is the strip then; null for light as it is in the scene
-  void add(const StripLight& light, const EyeOptics* optics = nullptr);
+  /// Takes in the extended light of a strip as it is in the scene.
+  void add(const StripLight& light);
+  /// Takes in that of a whole picture as an eye has seen it.
+  void add(const EyeOptics& optics);
   /// What all strips since start() hold. Waits for the GPU.
   [[nodiscard]] LightHistogram histogram();
 
 private:
+  void add_cells(const ProgramHandle& handle, const Strip& strip);
+
   ProgramVariants cell_programs_;
   ProgramHandle histogram_program_;
   View view_;

@@ -3,7 +3,6 @@
 #include "vesper/gpu/picture_uniforms.hpp"
 #include "vesper/sky/sky_light.hpp"
 
-#include <algorithm>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <limits>
@@ -43,7 +42,8 @@ double SkyPass::advance(const std::shared_ptr<const SkyTables>& wanted) {
   return 0.0;
 }
 
-void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan) {
+void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan,
+                      const std::optional<SkyNet>& dark_sky) {
   const Length height = height_in_air(sky.observer);
   const double share = advance(plan.options.air.sky_tables);
   map_.fill(*now_, plan, height);
@@ -51,14 +51,15 @@ void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& pl
     map_.fill(*next_, plan, height, share);
   }
   map_.eclipse(*now_->tables(), plan, height);
+  if (dark_sky) {
+    map_.add(*dark_sky);
+  }
   const std::string projection = fmt::format("PROJECTION {}", static_cast<int>(view.projection));
   program_ = &programs_.get({projection});
   peak_program_ = &peak_programs_.get({projection, "PEAK"});
   set_picture(*program_, view, plan);
   set_picture(*peak_program_, view, plan);
-  const auto tiles = [](int side) { return std::clamp((side + 47) / 48, 1, 64); }; // of 48 pixels or more
-  glProgramUniform2i(peak_program_->name(), 5, tiles(view.width), tiles(view.height));
-  peak_tiles_ = tiles(view.width) * tiles(view.height) * static_cast<int>(plan.lights.size());
+  peak_tiles_ = set_tiles(*peak_program_, view, 48) * static_cast<int>(plan.lights.size());
 }
 
 void SkyPass::draw(const Strip& strip) {

@@ -24,7 +24,8 @@ public:
   void change_over(int frames) { change_frames_ = frames; }
 
   /// Computes the map of a frame whose plan has lights.
-  void prepare(const SkyState& sky, const View& view, const FramePlan& plan);
+  /// \param dark_sky what shines in the air without them, where the plan has it in this map
+  void prepare(const SkyState& sky, const View& view, const FramePlan& plan, const std::optional<SkyNet>& dark_sky);
 
   /// Adds the sky to the bound framebuffer.
   void draw(const Strip& strip);

@@ -19,11 +19,7 @@
 
 namespace vesper {
 
-/// The Moon's surface, for the picture and for the sum of its light. Frames share it: it is copied to the GPU once.
-struct MoonGlobe {
-  MoonMap map;
-  MoonSamples samples;
-};
+/// Frames share a globe: it is copied to the GPU once.
 [[nodiscard]] std::shared_ptr<const MoonGlobe> make_moon_globe(MoonMap map);
 /// Of the embedded map, made at the first call.
 [[nodiscard]] std::shared_ptr<const MoonGlobe> default_moon_globe();
@@ -63,6 +59,8 @@ inline constexpr double widest_sprite_px = 16.0;
 
 struct PlannedMoon {
   PlannedDisc picture;
+  /// A crescent of few pixels: into how many a radian of the sphere is cut between limb and terminator.
+  double crescent_cells = 0.0;
   MoonDisc disc;
   std::shared_ptr<const MoonGlobe> globe;
   LunarEclipseTable eclipse;

@@ -32,9 +32,12 @@ FN vec3 tone_curve(Real luminance_cd_m2, sampler1D curve) {
 
 // Share of the cones in what is seen at one place, which adapts to itself: the first step of the iteration of CIE 191:2010
 // (mesopic.glsl). Within 0.08 of its solution for light of S/P from 0.5 to 2.5.
+FN Real cone_share_of_octave(Real octave) {
+  return clamp(Real(0.7670) + Real(0.10036340) * octave, Real(0.0), Real(1.0));
+}
 FN Real local_cone_share(Real photopic_cd_m2, Real scotopic_cd_m2) {
   Real seen = mesopic_luminance(photopic_cd_m2, scotopic_cd_m2, Real(0.5));
-  return clamp(Real(0.7670) + Real(0.10036340) * log2(max(seen, Real(1.0e-30))), Real(0.0), Real(1.0));
+  return cone_share_of_octave(log2(max(seen, Real(1.0e-30))));
 }
 
 // By how much a point that is plainly seen stands out more on a display than the law below asks for: a choice of taste, by

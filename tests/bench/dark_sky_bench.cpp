@@ -1,4 +1,6 @@
 // Cost of the dark sky's two draws, beside the sky pass's: both in one run and frame by frame in turn.
+#include "bench/timing.hpp"
+
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
 #include "vesper/gpu/headless_context.hpp"
@@ -13,20 +15,6 @@
 
 namespace vesper {
 namespace {
-
-double pass_ms_of(const gpu::Frame& frame, const char* pass) {
-  for (const gpu::PassTiming& timing : frame.timings) {
-    if (timing.name == pass) {
-      return timing.milliseconds;
-    }
-  }
-  return 0.0;
-}
-
-double median_of(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 void dark_sky_pass(benchmark::State& state, Projection projection, double fov_deg) {
   const gpu::HeadlessContext context;
@@ -50,16 +38,16 @@ void dark_sky_pass(benchmark::State& state, Projection projection, double fov_de
   std::vector<double> ratio;
   for (auto _ : state) {
     const gpu::Frame frame = draw();
-    beyond.push_back(pass_ms_of(frame, "zodiacal"));
-    air.push_back(pass_ms_of(frame, "airglow"));
-    day.push_back(pass_ms_of(frame, "sky"));
+    beyond.push_back(bench::pass_ms(frame, "zodiacal"));
+    air.push_back(bench::pass_ms(frame, "airglow"));
+    day.push_back(bench::pass_ms(frame, "sky"));
     ratio.push_back((beyond.back() + air.back()) / day.back());
   }
   state.SetLabel(context.description());
-  state.counters["beyond_ms"] = median_of(beyond);
-  state.counters["air_ms"] = median_of(air);
-  state.counters["sky_ms"] = median_of(day);
-  state.counters["ratio"] = median_of(ratio);
+  state.counters["beyond_ms"] = bench::median(beyond);
+  state.counters["air_ms"] = bench::median(air);
+  state.counters["sky_ms"] = bench::median(day);
+  state.counters["ratio"] = bench::median(ratio);
 }
 
 BENCHMARK_CAPTURE(dark_sky_pass, whole_sky, Projection::fisheye, 180.0)->Iterations(25);

@@ -1,21 +1,14 @@
-// Cost of the display chain, metering included, against a plain pass of Hable's curve with one read and one write a
-// pixel: both in one run and frame by frame in turn.
+// Cost of the display chain at 1920 x 1080, metering included, against a plain pass of Hable's curve with one read and one
+// write a pixel: both in one run and frame by frame in turn.
+#include "bench/plain_hable.hpp"
+#include "bench/timing.hpp"
+
 #include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/headless_context.hpp"
-#include "vesper/gpu/objects.hpp"
-#include "vesper/gpu/program.hpp"
 
 #include <benchmark/benchmark.h>
-#include <epoxy/gl.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace vesper {
@@ -24,55 +17,8 @@ namespace {
 constexpr int width = 1920;
 constexpr int height = 1080;
 
-gpu::ProgramHandle hable_program() {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("vesper_display_bench_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "plain_hable.comp") << R"(
-#include "prelude.glsl"
-#include "lib/hash.glsl"
-#include "lib/visibility.glsl"
-#include "lib/mesopic.glsl"
-#include "lib/tone.glsl"
-#include "lib/display.glsl"
-layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0) uniform sampler2D frame;
-layout(binding = 0) uniform writeonly image2D pixels;
-layout(location = 0) uniform float exposure;
-void main() {
-  ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(at, imageSize(pixels)))) { return; }
-  vec3 rgb = exposure * srgb_from_xyz(texelFetch(frame, at, 0).xyz);
-  imageStore(pixels, at, vec4(srgb_encode(hable_curve(rgb.x)), srgb_encode(hable_curve(rgb.y)),
-                              srgb_encode(hable_curve(rgb.z)), 1.0));
-}
-)";
-  gpu::ProgramHandle program;
-  try {
-    program = gpu::build_program(gpu::ShaderLibrary(folder), {"plain_hable.comp"});
-  } catch (...) {
-    std::filesystem::remove_all(folder);
-    throw;
-  }
-  std::filesystem::remove_all(folder);
-  return program;
-}
-
-double milliseconds(const std::function<void()>& work) {
-  gpu::finish();
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  gpu::finish();
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-/// A sky of a luminance at the zenith, with a star in one pixel of 400.
-void measure(benchmark::State& state, double luminance) {
+/// A sky of a luminance in its darkest row, with a star of 3 x 3 pixels in every 20 x 60.
+void display_chain(benchmark::State& state, double luminance, const gpu::DisplaySettings& settings) {
   const gpu::HeadlessContext context;
   const gpu::ShaderLibrary shaders;
   View view;
@@ -95,42 +41,57 @@ void measure(benchmark::State& state, double luminance) {
   }
   const gpu::Texture frame = gpu::make_table_texture(width, light);
   const gpu::Texture points = gpu::make_table_texture(width, stars);
-  const gpu::Texture pixels = gpu::make_texture(width, height, gpu::PixelFormat::rgba8);
-  const gpu::ProgramHandle hable = hable_program();
-  glProgramUniform1f(hable.name(), 0, static_cast<float>(0.2 / luminance));
-  gpu::DisplayChain chain(shaders);
+  const gpu::Texture pixels = gpu::make_texture(width, height, settings.format);
+  const gpu::Texture plain_pixels = gpu::make_texture(width, height, gpu::PixelFormat::rgba8);
+  const bench::PlainHable hable(static_cast<float>(0.2 / luminance));
+  gpu::DisplayChain chain(shaders, settings);
   const gpu::StripLight strip{frame, points, {0, height}};
-  const auto plain = [&] {
-    glUseProgram(hable.name());
-    glBindTextureUnit(0, frame.name());
-    glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
-    glDispatchCompute((width + 15) / 16, (height + 15) / 16, 1);
-  };
+  const auto plain = [&] { hable.run(frame, plain_pixels, width, height); };
   const auto look = [&] {
     chain.start(view);
     chain.look(strip);
   };
+  const auto map = [&] { chain.map(strip, pixels); };
   plain();
   look();
-  chain.map(strip, pixels);
+  map();
   std::vector<double> plains;
   std::vector<double> looks;
   std::vector<double> maps;
+  std::vector<double> ratios;
   for ([[maybe_unused]] auto step : state) {
-    plains.push_back(milliseconds(plain));
-    looks.push_back(milliseconds(look));
-    maps.push_back(milliseconds([&] { chain.map(strip, pixels); }));
+    plains.push_back(bench::processor_ms(plain));
+    looks.push_back(bench::processor_ms(look));
+    maps.push_back(bench::processor_ms(map));
+    ratios.push_back((looks.back() + maps.back()) / plains.back());
   }
-  state.counters["hable_ms"] = median(plains);
-  state.counters["look_ms"] = median(looks);
-  state.counters["curve_and_map_ms"] = median(maps);
-  state.counters["ratio"] = (median(looks) + median(maps)) / median(plains);
+  state.SetLabel(context.description());
+  state.counters["hable_ms"] = bench::median(plains);
+  state.counters["look_ms"] = bench::median(looks);
+  state.counters["map_ms"] = bench::median(maps);
+  state.counters["ratio"] = bench::median(ratios);
 }
 
-void day(benchmark::State& state) { measure(state, 3.0e3); }
-void night(benchmark::State& state) { measure(state, 3.0e-4); }
-BENCHMARK(day)->Iterations(15)->Unit(benchmark::kMillisecond);
-BENCHMARK(night)->Iterations(15)->Unit(benchmark::kMillisecond);
+constexpr double noon = 3.0e3;
+constexpr double night = 3.0e-4;
+
+gpu::DisplaySettings without_optics() {
+  gpu::DisplaySettings settings;
+  settings.optics.glare = settings.optics.acuity = false;
+  return settings;
+}
+
+gpu::DisplaySettings with_grain() {
+  gpu::DisplaySettings settings;
+  settings.noise = true;
+  return settings;
+}
+
+BENCHMARK_CAPTURE(display_chain, day, noon, {})->Iterations(25);
+BENCHMARK_CAPTURE(display_chain, night, night, {})->Iterations(25);
+BENCHMARK_CAPTURE(display_chain, day_without_glare_and_acuity, noon, without_optics())->Iterations(25);
+BENCHMARK_CAPTURE(display_chain, night_without_glare_and_acuity, night, without_optics())->Iterations(25);
+BENCHMARK_CAPTURE(display_chain, night_with_grain, night, with_grain())->Iterations(9);
 
 } // namespace
 } // namespace vesper

@@ -1,5 +1,7 @@
 // Cost of the Moon pass against the same sphere and map under a law of cosines, both in one run and frame by frame in
 // turn; and of a Moon a few pixels wide against one bright star.
+#include "bench/timing.hpp"
+
 #include "vesper/gpu/headless_context.hpp"
 #include "vesper/gpu/renderer.hpp"
 
@@ -12,20 +14,6 @@
 
 namespace vesper {
 namespace {
-
-double moon_pass_ms(const gpu::Frame& frame, const char* pass) {
-  for (const gpu::PassTiming& timing : frame.timings) {
-    if (timing.name == pass) {
-      return timing.milliseconds;
-    }
-  }
-  return 0.0;
-}
-
-double middle_of(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
 
 /// The Moon of an instant in the middle of the picture.
 struct MoonScene {
@@ -51,7 +39,7 @@ void moon_pass(benchmark::State& state, const char* stamp, double fov_deg, int s
   const MoonScene scene(stamp, fov_deg, side);
   const FramePlan plan = plan_frame(scene.sky, scene.view, {}, scene.options);
   const auto ms = [&](gpu::MoonShading shading) {
-    return moon_pass_ms(
+    return bench::pass_ms(
         renderer.render(scene.sky, scene.view, plan, {.xyzs = false, .timings = true, .moon_shading = shading}),
         "moon");
   };
@@ -65,15 +53,19 @@ void moon_pass(benchmark::State& state, const char* stamp, double fov_deg, int s
     lambert.push_back(ms(gpu::MoonShading::lambert));
   }
   state.SetLabel(context.description());
-  state.counters["moon_ms"] = middle_of(surface);
-  state.counters["lambert_ms"] = middle_of(lambert);
-  state.counters["ratio"] = middle_of(surface) / middle_of(lambert);
+  state.counters["moon_ms"] = bench::median(surface);
+  state.counters["lambert_ms"] = bench::median(lambert);
+  state.counters["ratio"] = bench::median(surface) / bench::median(lambert);
 }
 
 BENCHMARK_CAPTURE(moon_pass, full, "2026-05-01T23:00:00Z", 0.6, 1024)->Iterations(30);
 BENCHMARK_CAPTURE(moon_pass, crescent, "2026-05-19T20:00:00Z", 0.6, 1024)->Iterations(30);
 BENCHMARK_CAPTURE(moon_pass, eclipsed, "2025-09-07T18:30:00Z", 0.6, 1024)->Iterations(30);
 BENCHMARK_CAPTURE(moon_pass, narrow, "2026-05-01T23:00:00Z", 10.0, 1024)->Iterations(60);
+BENCHMARK_CAPTURE(moon_pass, thin_crescent, "2026-05-18T12:00:00Z", 0.6, 1024)->Iterations(30);
+BENCHMARK_CAPTURE(moon_pass, crescent_200px, "2026-05-19T20:00:00Z", 0.6, 226)->Iterations(60);
+BENCHMARK_CAPTURE(moon_pass, thin_crescent_200px, "2026-05-18T12:00:00Z", 0.6, 226)->Iterations(60);
+BENCHMARK_CAPTURE(moon_pass, thin_crescent_20px, "2026-05-18T12:00:00Z", 6.0, 226)->Iterations(60);
 
 /// A Moon too narrow for a disc, and wider ones, against one star as bright as stars get.
 void few_pixels(benchmark::State& state, double pixels) {
@@ -94,7 +86,7 @@ void few_pixels(benchmark::State& state, double pixels) {
   scene.options.layers.reset().set(static_cast<std::size_t>(Layer::stars));
   const FramePlan one_star = plan_frame(scene.sky, scene.view, catalogue.stars, scene.options);
   const auto ms = [&](const FramePlan& plan, const char* pass) {
-    return moon_pass_ms(renderer.render(scene.sky, scene.view, plan, {.xyzs = false, .timings = true}), pass);
+    return bench::pass_ms(renderer.render(scene.sky, scene.view, plan, {.xyzs = false, .timings = true}), pass);
   };
   // Apart from the passes, so that they find the processor as idle as each other.
   std::vector<double> plans;
@@ -111,10 +103,10 @@ void few_pixels(benchmark::State& state, double pixels) {
     moons.push_back(ms(moon, "moon"));
     stars.push_back(ms(one_star, "stars"));
   }
-  state.counters["moon_ms"] = middle_of(moons);
-  state.counters["plan_ms"] = middle_of(plans);
-  state.counters["star_ms"] = middle_of(stars);
-  state.counters["ratio"] = middle_of(moons) / middle_of(stars);
+  state.counters["moon_ms"] = bench::median(moons);
+  state.counters["plan_ms"] = bench::median(plans);
+  state.counters["star_ms"] = bench::median(stars);
+  state.counters["ratio"] = bench::median(moons) / bench::median(stars);
 }
 
 BENCHMARK_CAPTURE(few_pixels, two, 2.0)->Iterations(60);

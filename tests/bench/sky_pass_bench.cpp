@@ -1,5 +1,7 @@
 // Cost of the sky pass with Sun and Moon, its map's computation included, against a pass of four trilinear look-ups a
 // pixel in a 32-bit float 3-D texture of the size of a sky table: both in one run and frame by frame in turn.
+#include "bench/timing.hpp"
+
 #include "vesper/astro/constants.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
@@ -126,20 +128,8 @@ struct PassTime {
 };
 
 PassTime sky_time(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan) {
-  PassTime time;
-  for (const gpu::PassTiming& timing : renderer.render(sky, view, plan, {.xyzs = false, .timings = true}).timings) {
-    if (timing.name == "sky map") {
-      time.map_ms = timing.milliseconds;
-    } else if (timing.name == "sky") {
-      time.draw_ms = timing.milliseconds;
-    }
-  }
-  return time;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+  const gpu::Frame frame = renderer.render(sky, view, plan, {.xyzs = false, .timings = true});
+  return {bench::pass_ms(frame, "sky map"), bench::pass_ms(frame, "sky")};
 }
 
 void sky_pass(benchmark::State& state, Projection projection, double height_km) {
@@ -175,10 +165,10 @@ void sky_pass(benchmark::State& state, Projection projection, double height_km) 
   }
   state.SetLabel(context.description());
   state.counters["lights"] = static_cast<double>(plan.lights.size());
-  state.counters["map_ms"] = median(map);
-  state.counters["draw_ms"] = median(draw);
-  state.counters["four_lookups_ms"] = median(lookups);
-  state.counters["ratio"] = median(ratio);
+  state.counters["map_ms"] = bench::median(map);
+  state.counters["draw_ms"] = bench::median(draw);
+  state.counters["four_lookups_ms"] = bench::median(lookups);
+  state.counters["ratio"] = bench::median(ratio);
 }
 
 BENCHMARK_CAPTURE(sky_pass, perspective, Projection::perspective, 0.05)->Iterations(25);

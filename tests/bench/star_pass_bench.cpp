@@ -1,4 +1,6 @@
 // Cost of the star pass against the same billboards in one colour, both in one run and frame by frame in turn.
+#include "bench/timing.hpp"
+
 #include "vesper/assets/default_stars.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/star_extinction_table.hpp"
@@ -19,18 +21,8 @@ namespace {
 /// Wall-clock milliseconds of the pass alone, as the frame graph times it.
 double star_pass_ms(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
                     gpu::StarShading shading) {
-  const gpu::Frame frame = renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading});
-  for (const gpu::PassTiming& timing : frame.timings) {
-    if (timing.name == "stars") {
-      return timing.milliseconds;
-    }
-  }
-  return 0.0;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
+  return bench::pass_ms(
+      renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading}), "stars");
 }
 
 void star_pass(benchmark::State& state, Projection projection, double fov_deg, int width, int height) {
@@ -57,9 +49,9 @@ void star_pass(benchmark::State& state, Projection projection, double fov_deg, i
     flat.push_back(star_pass_ms(renderer, sky, view, plan, gpu::StarShading::constant_color));
   }
   state.SetLabel(context.description());
-  state.counters["stars_ms"] = median(psf);
-  state.counters["constant_color_ms"] = median(flat);
-  state.counters["ratio"] = median(psf) / median(flat);
+  state.counters["stars_ms"] = bench::median(psf);
+  state.counters["constant_color_ms"] = bench::median(flat);
+  state.counters["ratio"] = bench::median(psf) / bench::median(flat);
 }
 
 BENCHMARK_CAPTURE(star_pass, fisheye_1024, Projection::fisheye, 180.0, 1024, 1024)->Iterations(40);

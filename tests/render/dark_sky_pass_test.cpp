@@ -211,6 +211,44 @@ TEST_F(DarkSkyPassTest, LayersAddUpAndTheGroundIsDarkerThanTheSky) {
   EXPECT_NEAR(glow.pixel(24, 0)[1], 0.001F, 1.0e-4F);
 }
 
+TEST_F(DarkSkyPassTest, TheSkysMapTakesInWhatIsInTheAir) {
+  options.air.sky_tables = tables;
+  options.dark_sky.glow = {0.0003 * candela_per_m2, 90.0 * deg, 30.0 * kilometre};
+  // A setting crescent, whose light in the air is of the dark sky's order.
+  for (const double height_km : {0.0, 11.0, 70.0, 200.0}) {
+    const SkyState sky =
+        sky_state(parse_instant("2026-08-16T21:15:00Z"), {28.3 * deg, -16.5 * deg, height_km * kilometre});
+    const auto drawn = [&](std::initializer_list<Layer> layers, bool together) {
+      options.layers = layers_of(layers);
+      const FramePlan plan = plan_frame(sky, view, {}, options);
+      if (plan.dark_sky != nullptr) {
+        EXPECT_EQ(plan.dark_sky->air_with_sky, together) << height_km << " km";
+      }
+      return renderer.render(sky, view, plan);
+    };
+    const gpu::Frame all = drawn({Layer::sky, Layer::airglow, Layer::sky_glow, Layer::ground}, height_km < 90.0);
+    const gpu::Frame moonlit = drawn({Layer::sky, Layer::ground}, false);
+    const gpu::Frame dark = drawn({Layer::airglow, Layer::sky_glow, Layer::ground}, false);
+    double worst = 0.0;
+    double share = 0.0;
+    int pixels = 0;
+    for_pixels(plan_frame(sky, view, {}, options), [&](int column, int row, const Vec3&) {
+      for (int channel = 0; channel < 4; ++channel) {
+        const auto dark_part = static_cast<double>(dark.pixel(column, row)[channel]);
+        const double wanted = static_cast<double>(moonlit.pixel(column, row)[channel]) + dark_part;
+        const auto found = static_cast<double>(all.pixel(column, row)[channel]);
+        worst = std::max(worst, std::abs(found - wanted) / std::max(wanted, 1.0e-9));
+        share += wanted > 0.0 ? 0.25 * dark_part / wanted : 0.0;
+      }
+      ++pixels;
+    });
+    share /= pixels;
+    std::printf("in one map, %5.1f km: worst %.5f, dark sky %.2f of the light\n", height_km, worst, share);
+    EXPECT_GT(share, 0.1);
+    EXPECT_LT(worst, 0.02); // as the dark sky's own map may err; nearest to it above the city
+  }
+}
+
 TEST_F(DarkSkyPassTest, NothingIsDrawnWithoutItsLayers) {
   options.layers = layers_of({Layer::stars, Layer::planets, Layer::ground});
   const FramePlan plan = plan_frame(evening(), view, {}, options);

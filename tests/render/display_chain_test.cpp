@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
 #include <random>
 
 namespace vesper::test {
@@ -31,19 +32,37 @@ gpu::DisplaySettings deep(ToneOperator tone = ToneOperator::visibility, const Di
 const std::vector<ToneOperator> all_operators{ToneOperator::visibility, ToneOperator::reinhard, ToneOperator::hable,
                                               ToneOperator::photographic, ToneOperator::false_color};
 
-/// A sky by direction, so that it does not depend on the pixels: brighter towards one side, with a Sun in the corner
-/// and a dark ground.
+/// A sky by direction, so that its light does not depend on the pixels: brighter towards one side, with a dark ground
+/// and a Sun in the corner, whose edge is shared out over the pixels that it crosses.
 PictureLight test_sky(const View& view, double luminance) {
   PictureLight light{view, {}, {}};
   const f64::PixelFrame frame = pixel_frame(view);
   const Vec3 sun = glm::normalize(Vec3(0.36, 0.34, 1.0));
+  const auto from_sun = [&](const Vec2& pixel) {
+    Vec3 direction;
+    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0)) : std::numbers::pi;
+  };
+  const auto sun_share = [&](const Vec2& pixel) {
+    constexpr double near = 4.0; // pixels
+    const double radius = (0.27 * deg).to(rad);
+    if (from_sun(pixel) > radius + near / frame.focal) {
+      return 0.0;
+    }
+    constexpr int steps = 16;
+    int inside = 0;
+    for (int i = 0; i < steps * steps; ++i) {
+      const Vec2 part((i % steps + 0.5) / steps - 0.5, (i / steps + 0.5) / steps - 0.5);
+      inside += from_sun(pixel + part) < radius ? 1 : 0;
+    }
+    return static_cast<double>(inside) / (steps * steps);
+  };
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {
+      const Vec2 pixel(column + 0.5, row + 0.5);
       Vec3 direction;
-      const bool inside = f64::unproject({column + 0.5, row + 0.5}, frame, direction);
-      double y = luminance * std::exp(2.0 * direction.x) * (direction.y < -0.3 ? 0.1 : 1.0);
-      y = glm::dot(direction, sun) > std::cos((0.27 * deg).to(rad)) ? 3.0e5 * luminance : y;
-      const auto value = static_cast<float>(inside ? y : 0.0);
+      const bool inside = f64::unproject(pixel, frame, direction);
+      const double sky = std::exp(2.0 * direction.x) * (direction.y < -0.3 ? 0.1 : 1.0);
+      const auto value = static_cast<float>(inside ? luminance * (sky + 3.0e5 * sun_share(pixel)) : 0.0);
       light.frame.insert(light.frame.end(), {0.9F * value, value, 1.2F * value, 2.0F * value});
     }
   }
@@ -110,27 +129,78 @@ TEST_F(DisplayChains, MeterAsTheProcessorDoes) {
   error.hold("metering on the GPU, share of a bin", 1.0e-3, "");
 }
 
-double mean_shown(gpu::DisplayChain& chain, const PictureLight& light) {
-  const std::vector<std::uint16_t> codes = codes_of(chain, light);
+double mean_shown(const std::vector<std::uint16_t>& codes, const View& view) {
   const f64::DisplayModel display = display_model({});
   double sum = 0.0;
-  for (int row = 0; row < light.view.height; row += 2) {
-    for (int column = 0; column < light.view.width; column += 2) {
-      sum += light_at(codes, light.view.width, column, row, display, 0.0).y;
+  for (int row = 0; row < view.height; row += 2) {
+    for (int column = 0; column < view.width; column += 2) {
+      sum += light_at(codes, view.width, column, row, display, 0.0).y;
     }
   }
-  return sum / (0.25 * light.view.width * light.view.height);
+  return sum / (0.25 * view.width * view.height);
 }
 
 TEST_F(DisplayChains, MapAPictureOfMorePixelsToTheSameMean) {
+  ErrorSum error;
   for (const double luminance : {3.0e-4, 3.0e3}) {
-    chain.use(deep());
-    const double coarse = mean_shown(chain, test_sky(square_view(512), luminance));
-    const double fine = mean_shown(chain, test_sky(square_view(2048), luminance));
-    std::printf("sky of %g cd/m2: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance, coarse,
-                fine);
-    EXPECT_NEAR(fine / coarse, 1.0, 0.01);
+    const PictureLight coarse = test_sky(square_view(512), luminance);
+    const PictureLight fine = test_sky(square_view(2048), luminance);
+    for (const bool optics : {false, true}) {
+      gpu::DisplaySettings settings = deep();
+      settings.optics.glare = settings.optics.acuity = optics;
+      chain.use(settings);
+      const double of_coarse = mean_shown(codes_of(chain, coarse), coarse.view);
+      const double of_fine = mean_shown(codes_of(chain, fine), fine.view);
+      std::printf("sky of %g cd/m2%s: mean on the display %.5g cd/m2 in 512 pixels, %.5g in 2048\n", luminance,
+                  optics ? ", glare and acuity" : "", of_coarse, of_fine);
+      error.add(100.0 * (of_fine / of_coarse - 1.0));
+    }
   }
+  error.hold("mean luminance on the display, 2048 pixels over 512", 1.0, "%");
+}
+
+TEST_F(DisplayChains, ASequenceIsAdaptedFirstAndThenDrawnInAnyOrder) {
+  // Lights go out, and on again.
+  constexpr std::size_t frames = 5;
+  constexpr std::array<double, frames> luminances{300.0, 300.0, 1.0e-3, 1.0e-3, 300.0};
+  constexpr std::array<double, frames> seconds{0.0, 10.0, 20.0, 200.0, 200.2};
+  std::vector<PictureLight> pictures;
+  std::vector<MeteredInstant> instants;
+  const View view = square_view(96);
+  for (std::size_t i = 0; i < frames; ++i) {
+    pictures.push_back(even_light(view, luminances.at(i)));
+    chain.use(deep());
+    static_cast<void>(codes_of(chain, pictures.back()));
+    instants.push_back({seconds.at(i), adapted_to(chain.histogram())});
+  }
+  const std::vector<AdaptationState> states = adapt(instants);
+  const auto draw = [&](std::size_t frame) {
+    gpu::DisplaySettings settings = deep();
+    settings.optics = {};
+    settings.noise = true;
+    settings.adaptation = states[frame];
+    settings.seconds = seconds.at(frame);
+    settings.seed = static_cast<std::uint32_t>(frame);
+    chain.use(settings);
+    return codes_of(chain, pictures[frame]);
+  };
+  std::vector<std::vector<std::uint16_t>> in_order;
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    in_order.push_back(draw(frame));
+  }
+  for (const std::size_t frame : std::array<std::size_t, frames>{3, 0, 4, 2, 1}) {
+    EXPECT_EQ(draw(frame), in_order[frame]) << frame;
+  }
+  // The eye is still blind when it gets dark, and dazzled when light is back.
+  const double black = f64::display_floor_cd_m2(display_model({}), 0.0);
+  const auto shown = [&](std::size_t frame) { return mean_shown(in_order[frame], view) - black; };
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::printf("%5.1f s, sky of %5g cd/m2, cones adapted to %8.3g, rods to %8.3g: %.3g cd/m2 over black\n",
+                seconds.at(frame), luminances.at(frame), states[frame].cones.to(candela_per_m2),
+                states[frame].rods.to(candela_per_m2), shown(frame));
+  }
+  EXPECT_LT(shown(2), 0.5 * shown(3));
+  EXPECT_GT(shown(4), 1.02 * shown(1));
 }
 
 /// Every luminance from 1e-6 to 2e9 cd/m2, a column each.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/render_fixture.hpp"
+#include "support/view_of.hpp"
 
 #include "vesper/gpu/eye_optics.hpp"
 
@@ -98,15 +99,6 @@ inline double illuminance_of(const LightPicture& picture) {
     }
   }
   return sum;
-}
-
-inline View view_of(Projection projection, double fov_deg, int width, int height) {
-  View view;
-  view.projection = projection;
-  view.fov = fov_deg * deg;
-  view.width = width;
-  view.height = height;
-  return view;
 }
 
 } // namespace vesper::test

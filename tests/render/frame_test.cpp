@@ -166,9 +166,7 @@ TEST_F(Frames, AMappedPictureDoesNotDependOnItsStrips) {
   renderer.load(catalogue);
   View view;
   view.width = view.height = 160;
-  gpu::DisplaySettings settings;
-  settings.optics.glare = settings.optics.acuity = false; // strips go without
-  gpu::DisplayChain chain(shaders, settings);
+  gpu::DisplayChain chain(shaders);
   const SkyState sky = summer_night();
   const FramePlan plan = plan_frame(sky, view, catalogue.stars);
   renderer.limit_strip_rows(0);

@@ -35,6 +35,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/visibility.glsl"
 #include "lib/mesopic.glsl"
 #include "lib/vision.glsl"
+#include "lib/tone.glsl"
 #include "lib/display.glsl"
 #include "lib/phase.glsl"
 #include "lib/sky_table.glsl"

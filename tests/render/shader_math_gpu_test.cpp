@@ -81,6 +81,44 @@ TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
        {14, 14, 0, 0},
        41,
        1.0e-4F},
+      {"tone: bins, cones, rise and the camera's white",
+       "vec4(tone_bin(exp(v.x)), local_cone_share(exp(v.x), v.y * exp(v.x)), steepest_rise(exp(v.x), v.y), "
+       "metered_exposure_value(exp(v.x)) + photographic_white_cd_m2(v.y))",
+       [](const glm::vec4& v) {
+         const float luminance = std::exp(v.x);
+         return glm::vec4(f32::tone_bin(luminance), f32::local_cone_share(luminance, v.y * luminance),
+                          f32::steepest_rise(luminance, v.y),
+                          f32::metered_exposure_value(luminance) + f32::photographic_white_cd_m2(v.y));
+       },
+       {-16, 0.3F, 0, 0},
+       {23, 4, 0, 0},
+       41,
+       2.0e-4F},
+      {"tone: a bin's luminance and a key, in their logarithms; points over a ceiling",
+       "vec4(log(tone_bin_luminance(v.x)), log(automatic_key(v.z)), log(point_boost(v.y)), "
+       "under_ceiling(v.z, v.y, 90.0))",
+       [](const glm::vec4& v) {
+         return glm::vec4(std::log(f32::tone_bin_luminance(v.x)), std::log(f32::automatic_key(v.z)),
+                          std::log(f32::point_boost(v.y)), f32::under_ceiling(v.z, v.y, 90.0F));
+       },
+       {0, 0.01F, 0.1F, 0},
+       {231, 300, 80, 0},
+       13,
+       1.0e-4F},
+      {"tone: Reinhard's and Hable's curves",
+       "vec4(reinhard_extended(v.x, 8.0), hable_curve(v.x), 0, 0)",
+       [](const glm::vec4& v) { return glm::vec4(f32::reinhard_extended(v.x, 8.0F), f32::hable_curve(v.x), 0, 0); },
+       {0, 0, 0, 0},
+       {12, 0, 0, 0},
+       97,
+       1.0e-4F},
+      {"quick_srgb_encode",
+       "vec4(quick_srgb_encode(v.x), 0, 0, 0)",
+       [](const glm::vec4& v) { return scalar(f32::quick_srgb_encode(v.x)); },
+       {0, 0, 0, 0},
+       {1, 0, 0, 0},
+       997,
+       1.0e-5F},
       {"hash",
        "vec4(hash_unit(hash_pair(uint(v.x), uint(v.y))), 0, 0, 0)",
        [](const glm::vec4& v) {

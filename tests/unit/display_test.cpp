@@ -56,6 +56,20 @@ TEST(Display, TransfersAreThePublishedOnes) {
   EXPECT_NEAR(f64::srgb_encode(0.0031308 + 1.0e-9), 12.92 * 0.0031308, 1.0e-6);
 }
 
+TEST(Display, TheQuickTransferIsTheStandards) {
+  test::ErrorSum of_double;
+  test::ErrorSum of_single;
+  for (int i = 0; i <= 65535; ++i) {
+    const double linear = f64::srgb_decode(i / 65535.0);
+    of_double.add(65535.0 * f64::quick_srgb_encode(linear) - i);
+    of_single.add(65535.0 * static_cast<double>(f32::quick_srgb_encode(static_cast<float>(linear))) - i);
+  }
+  of_double.hold("sRGB's transfer without a power", 0.1, "steps of 16 bits");
+  of_single.hold("the same in single precision", 0.12, "steps of 16 bits");
+  EXPECT_EQ(f32::quick_srgb_encode(0.0F), 0.0F);
+  EXPECT_NEAR(f64::quick_srgb_encode(1.0), 1.0, 1.0e-9);
+}
+
 TEST(Display, CodesAndLightAreEachOthersInverse) {
   test::ErrorSum light_errors;
   test::ErrorSum code_errors;

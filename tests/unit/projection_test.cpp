@@ -3,6 +3,8 @@
 #include "vesper/base/shader_math.hpp"
 #include "vesper/plan/view.hpp"
 
+#include "support/view_of.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +13,8 @@
 
 namespace vesper {
 namespace {
+
+using test::view_of;
 
 Vec3 horizon_direction(double azimuth_deg, double altitude_deg) {
   const double azimuth = (azimuth_deg * deg).to(rad);
@@ -27,15 +31,6 @@ Vec2 pixel_of(const View& view, const Vec3& horizon, int face = 0) {
 f64::PixelFrame pixel_frame(const View& view) {
   const f64::ProjectionFrame frame = projection_frame(view);
   return {frame.kind, frame.size, frame.focal};
-}
-
-View view_of(Projection projection, double fov_deg, int width, int height) {
-  View view;
-  view.projection = projection;
-  view.fov = fov_deg * deg;
-  view.width = width;
-  view.height = height;
-  return view;
 }
 
 void expect_near(const Vec2& pixel, double x, double y) {

@@ -70,6 +70,9 @@ TEST_F(RenderCli, ACubeMapTakesAFaceOrAStack) {
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.exr")).status, 0);
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x192 -o " + path("stack.exr")).status, 0);
   EXPECT_EQ(read_file(path("face.exr")), read_file(path("stack.exr")));
+  const std::string display = std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.png");
+  EXPECT_NE(run(display).err.find("--projection equirectangular"), std::string::npos); // for an eye's glare
+  EXPECT_EQ(run(display + " --glare off --acuity off").err, "");
 }
 
 TEST_F(RenderCli, LayersAndAirCanBeLeftOut) {
