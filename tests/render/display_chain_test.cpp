@@ -40,7 +40,8 @@ PictureLight test_sky(const View& view, double luminance) {
   const Vec3 sun = glm::normalize(Vec3(0.36, 0.34, 1.0));
   const auto from_sun = [&](const Vec2& pixel) {
     Vec3 direction;
-    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0)) : std::numbers::pi;
+    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0))
+                                                   : std::numbers::pi;
   };
   const auto sun_share = [&](const Vec2& pixel) {
     constexpr double near = 4.0; // pixels
