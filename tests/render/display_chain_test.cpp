@@ -52,7 +52,8 @@ PictureLight test_sky(const View& view, double luminance) {
     constexpr int steps = 16;
     int inside = 0;
     for (int i = 0; i < steps * steps; ++i) {
-      const Vec2 part((i % steps + 0.5) / steps - 0.5, (i / steps + 0.5) / steps - 0.5);
+      const int line = i / steps;
+      const Vec2 part((i % steps + 0.5) / steps - 0.5, (line + 0.5) / steps - 0.5);
       inside += from_sun(pixel + part) < radius ? 1 : 0;
     }
     return static_cast<double>(inside) / (steps * steps);
