@@ -216,7 +216,8 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
   gpu::DisplayChain chain(shaders, display);
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;
-  if (!outputs.xyzs && scene.view.projection == Projection::cubemap && (display.optics.glare || display.optics.acuity)) {
+  if (!outputs.xyzs && scene.view.projection == Projection::cubemap &&
+      (display.optics.glare || display.optics.acuity)) {
     spdlog::warn("a cube map goes without the eye's glare and acuity, which belong to whoever looks at it through a "
                  "program of theirs. Give --glare off --acuity off to say so, or --projection equirectangular for a "
                  "whole sky that has them");
@@ -286,7 +287,8 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--night-vision", options.night_vision,
                  "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
       ->check(on_off);
-  app.add_option("--glare", options.glare, "light that the eye scatters: on, off; on but for --operator photographic and cube maps")
+  app.add_option("--glare", options.glare,
+                 "light that the eye scatters: on, off; on but for --operator photographic and cube maps")
       ->check(on_off);
   app.add_option("--acuity", options.acuity,
                  "detail fades where it is dark: on, off; on but for --operator photographic and cube maps")

@@ -194,8 +194,7 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
 
   if (observer_.age_years != settings.age_years || observer_.pigmentation != settings.pigmentation) {
     const f64::EyeScatter cie = f64::eye_scatter(settings.age_years, settings.pigmentation);
-    observer_ = {settings.age_years, settings.pigmentation,
-                 f64::eye_scatter_times(cie, 1.0 / light_over_sphere(cie))};
+    observer_ = {settings.age_years, settings.pigmentation, f64::eye_scatter_times(cie, 1.0 / light_over_sphere(cie))};
   }
   const f64::EyeScatter& eye = observer_.scatter;
   glare_ = settings.glare;

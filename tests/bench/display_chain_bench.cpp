@@ -1,5 +1,5 @@
-// Cost of the display chain at 1920 x 1080, metering included, against a plain pass of Hable's curve with one read and one
-// write a pixel: both in one run and frame by frame in turn.
+// Cost of the display chain at 1920 x 1080, metering included, against a plain pass of Hable's curve with one read and
+// one write a pixel: both in one run and frame by frame in turn.
 #include "bench/plain_hable.hpp"
 #include "bench/timing.hpp"
 

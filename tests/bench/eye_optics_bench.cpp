@@ -1,5 +1,5 @@
-// Cost of glare and acuity at 1920 x 1080 over a plain Hable pass of one read and one write a pixel: both in one run and
-// frame by frame in turn.
+// Cost of glare and acuity at 1920 x 1080 over a plain Hable pass of one read and one write a pixel: both in one run
+// and frame by frame in turn.
 #include "bench/plain_hable.hpp"
 #include "bench/timing.hpp"
 

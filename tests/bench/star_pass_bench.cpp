@@ -21,8 +21,8 @@ namespace {
 /// Wall-clock milliseconds of the pass alone, as the frame graph times it.
 double star_pass_ms(gpu::Renderer& renderer, const SkyState& sky, const View& view, const FramePlan& plan,
                     gpu::StarShading shading) {
-  return bench::pass_ms(
-      renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading}), "stars");
+  return bench::pass_ms(renderer.render(sky, view, plan, {.xyzs = false, .timings = true, .star_shading = shading}),
+                        "stars");
 }
 
 void star_pass(benchmark::State& state, Projection projection, double fov_deg, int width, int height) {

@@ -40,7 +40,8 @@ PictureLight test_sky(const View& view, double luminance) {
   const Vec3 sun = glm::normalize(Vec3(0.36, 0.34, 1.0));
   const auto from_sun = [&](const Vec2& pixel) {
     Vec3 direction;
-    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0)) : std::numbers::pi;
+    return f64::unproject(pixel, frame, direction) ? std::acos(std::min(glm::dot(direction, sun), 1.0))
+                                                   : std::numbers::pi;
   };
   const auto sun_share = [&](const Vec2& pixel) {
     constexpr double near = 4.0; // pixels
@@ -51,7 +52,8 @@ PictureLight test_sky(const View& view, double luminance) {
     constexpr int steps = 16;
     int inside = 0;
     for (int i = 0; i < steps * steps; ++i) {
-      const Vec2 part((i % steps + 0.5) / steps - 0.5, (i / steps + 0.5) / steps - 0.5);
+      const int line = i / steps;
+      const Vec2 part((i % steps + 0.5) / steps - 0.5, (line + 0.5) / steps - 0.5);
       inside += from_sun(pixel + part) < radius ? 1 : 0;
     }
     return static_cast<double>(inside) / (steps * steps);
