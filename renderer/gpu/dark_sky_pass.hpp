@@ -4,7 +4,6 @@
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
-#include "vesper/gpu/sky_map.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 
@@ -24,10 +23,10 @@ public:
 
   /// Adds what comes through the air to the bound framebuffer: zodiacal light and faint stars.
   void draw_beyond(const Strip& strip);
-  /// Adds what is in the air, airglow, sky glow and scattered light, for a plan that does not have it in the sky's map.
+  /// Adds what is in the air, airglow, sky glow and scattered light, for a plan that does not draw it with the sky.
   void draw_air(const Strip& strip);
-  /// For that map.
-  [[nodiscard]] SkyNet air() const { return {map_, PlannedDarkSky::rows_below, PlannedDarkSky::rows_above}; }
+  /// What that draws: rows and columns of PlannedDarkSky, as texels of X, Y, Z and S.
+  [[nodiscard]] const Texture& air_map() const { return map_; }
 
 private:
   void prepare_beyond(const std::string& projection, const View& view, const FramePlan& plan);

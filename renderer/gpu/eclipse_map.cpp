@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <epoxy/gl.h>
 #include <numbers>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace vesper::gpu {
 namespace {
 
 /// Altitude along a straight ray of a row of the net.
-double straight_altitude_rad(int row, const SkyMapSize& net, const EclipseMap::MapRows& map) {
+double straight_altitude_rad(int row, const EclipseMap::MapSize& net, const EclipseMap::MapRows& map) {
   constexpr double quarter = 0.5 * std::numbers::pi;
   const bool below = row < net.rows_below;
   const double place = below ? static_cast<double>(net.rows_below - 1 - row) / (net.rows_below - 1)
@@ -30,7 +31,7 @@ constexpr double high_dip_rad = 0.031;
 /// The rays of the horizon itself graze the ground: they are told apart by this.
 constexpr double beside_horizon_rad = 2.0e-4;
 
-std::vector<float> log2_ratios(const SkyMapSize& net, const EclipseMap::MapRows& map, const FramePlan& plan) {
+std::vector<float> log2_ratios(const EclipseMap::MapSize& net, const EclipseMap::MapRows& map, const FramePlan& plan) {
   const int rows = net.rows_below + net.rows_above;
   const std::size_t layer = static_cast<std::size_t>(rows) * static_cast<std::size_t>(net.columns);
   std::vector<float> texels(std::size_t{2} * layer * 4);
@@ -65,13 +66,22 @@ std::vector<float> log2_ratios(const SkyMapSize& net, const EclipseMap::MapRows&
 
 } // namespace
 
-void EclipseMap::dim(const Texture& map, const SkyMapSize& size, const MapRows& map_rows, const FramePlan& plan) {
+void EclipseMap::dim(const Texture& map, const MapSize& size, const MapRows& map_rows, const FramePlan& plan) {
   // From high up the umbra's edge is seen on the ground, sharp beside the soft light around an observer inside it.
   const int coarser = map_rows.straight_horizon_rad < -high_dip_rad ? 1 : 4;
-  const SkyMapSize net{(size.columns - 1) / coarser + 1, size.rows_below / coarser, size.rows_above / coarser};
+  const MapSize net{(size.columns - 1) / coarser + 1, size.rows_below / coarser, size.rows_above / coarser};
   const Texture ratios = make_table_texture(net.columns, log2_ratios(net, map_rows, plan));
   interpolate(ratios);
-  run_over_map(programs_.get({}), map, size, {ratios, net.rows_below, net.rows_above});
+  const ProgramHandle& program = programs_.get({});
+  glUseProgram(program.name());
+  glProgramUniform2i(program.name(), 0, size.rows_below, size.rows_above);
+  glProgramUniform2i(program.name(), 1, net.rows_below, net.rows_above);
+  glBindTextureUnit(0, ratios.name());
+  glBindImageTexture(0, map.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  constexpr int group = 8;
+  const auto groups = [](int count) { return static_cast<GLuint>((count + group - 1) / group); };
+  glDispatchCompute(groups(size.columns), groups(size.rows_below + size.rows_above), 1);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 } // namespace vesper::gpu

@@ -3,7 +3,6 @@
 
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
-#include "vesper/gpu/sky_net.hpp"
 #include "vesper/plan/frame_plan.hpp"
 
 namespace vesper::gpu {
@@ -15,6 +14,10 @@ public:
   /// The library must outlive it.
   explicit EclipseMap(const ShaderLibrary& library) : programs_(library, {"sky_eclipse.comp"}) {}
 
+  struct MapSize {
+    int columns; ///< the last is the first again
+    int rows_below, rows_above;
+  };
   /// Where the map's rows begin and end, as they are seen and along straight rays.
   struct MapRows {
     f32::SkyMapFrame frame;
@@ -23,7 +26,7 @@ public:
   };
 
   /// \param plan whose eclipse has a sky
-  void dim(const Texture& map, const SkyMapSize& size, const MapRows& rows, const FramePlan& plan);
+  void dim(const Texture& map, const MapSize& size, const MapRows& rows, const FramePlan& plan);
 
 private:
   ProgramVariants programs_;

@@ -111,7 +111,7 @@ GLuint groups(int size, int group) { return static_cast<GLuint>((size + group - 
 
 SkyMap::SkyMap(const ShaderLibrary& library)
     : slice_programs_(library, {"sky_slice.comp"}), ground_program_(build_program(library, {"sky_ground.comp"})),
-      map_programs_(library, {"sky_map.comp"}), eclipse_map_(library), add_programs_(library, {"sky_add.comp"}),
+      map_programs_(library, {"sky_map.comp"}), eclipse_map_(library),
       map_(make_texture(columns + 1, (1 + static_cast<int>(most_lights)) * (rows_below + rows_above),
                         PixelFormat::rgba32f)),
       ground_(make_texture(ground_texels, static_cast<int>(most_lights), PixelFormat::rgba32f)),
@@ -227,10 +227,6 @@ void SkyMap::eclipse(const SkyTables& tables, const FramePlan& plan, Length heig
                    {f32::sky_map_frame(block.sin_horizon, block.sin_highest), angle(block.sin_horizon),
                     angle(block.sin_highest), -static_cast<double>(dip), end},
                    plan);
-}
-
-void SkyMap::add(const SkyNet& light) {
-  run_over_map(add_programs_.get({}), map_, {columns + 1, rows_below, rows_above}, light);
 }
 
 void SkyMap::bind() const {

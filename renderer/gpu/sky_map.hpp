@@ -5,7 +5,6 @@
 #include "vesper/gpu/eclipse_map.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
-#include "vesper/gpu/sky_net.hpp"
 #include "vesper/gpu/sky_textures.hpp"
 #include "vesper/plan/frame_plan.hpp"
 
@@ -33,9 +32,6 @@ public:
   /// Dims what fill() made by the plan's eclipse, if there is one. Once a frame, after the last call of fill().
   void eclipse(const SkyTables& tables, const FramePlan& plan, Length height);
 
-  /// Adds light to what fill() and eclipse() made.
-  void add(const SkyNet& light);
-
   /// Binds the map to texture unit 0, the phase function to unit 1 and the block of shaders/sky_block.glsl.
   void bind() const;
 
@@ -48,7 +44,6 @@ private:
   ProgramHandle ground_program_;
   ProgramVariants map_programs_;
   EclipseMap eclipse_map_;
-  ProgramVariants add_programs_;
   Texture slices_; ///< side by side: of both tables for the first light, then for the second
   int slice_rows_ = 0;
   Texture map_;

@@ -64,7 +64,7 @@ struct PlannedDarkSky {
   DarkSky sources;
   bool zodiacal = false; ///< what is drawn behind the air, through it
   bool starlight = false;
-  bool air_with_sky = false; ///< what is in the air is added to the map of a sky that is drawn: the rows are the same
+  bool air_with_sky = false; ///< what is in the air is drawn with a sky, whose map ends where this one does
   /// What is added before everything but the ground and what is nearer: airglow, sky glow and the light that the air
   /// scatters of all layers: X, Y, Z and S in cd/m2, in the order of the sky's map (shaders/lib/sky_map.glsl).
   std::vector<f32::vec4> air;
@@ -74,7 +74,7 @@ struct PlannedDarkSky {
 [[nodiscard]] bool draws_dark_sky(const LayerSet& layers);
 
 /// None where none of these layers is drawn.
-/// \param sky_is_drawn whether the plan has lights of the sky, with whose map this one's may be
+/// \param sky_is_drawn whether the plan has lights of the sky
 /// \param before an earlier one, whose place serves again (and need not be made, in 35 ms) where its setting is the
 /// same
 [[nodiscard]] std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const LayerSet& layers,
