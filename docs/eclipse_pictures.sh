@@ -30,13 +30,15 @@ aim() {
 }
 
 # stops OPTIONS...: of --exposure over --ev 15 (the Sun's disc asks for more than --ev has), as a photographer sets them:
-# the brightest of the picture is just white. Of the corona, whose foot is that, three stops more are shown.
+# the brightest of the picture, or its red, is just white. Of the corona, whose foot is that, three stops more are shown.
 stops() {
   local covered=0
   [[ $1 == corona ]] && covered=3
   shift
   "$bin/vesper-render" --quiet "$@" --size 100x100 -o "$tiles/meter.exr"
-  oiiotool --stats "$tiles/meter.exr" | awk -v c="$covered" '/Stats Max/ { print 15 - log($4 / 1.2) / log(2) + c }'
+  oiiotool --stats "$tiles/meter.exr" | awk -v c="$covered" '/Stats Max/ {
+    red = 3.24 * $3 - 1.54 * $4 - 0.5 * $5
+    print 15 - log((red > $4 ? red : $4) / 1.2) / log(2) + c }'
 }
 
 # sheet NAME BODY ROWSxCOLUMNS START STEP FOV TILE OPTIONS...: a body every STEP seconds from START, in the middle of a
