@@ -38,7 +38,8 @@ f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
   return {factor * law.seeliger, factor * law.lambert};
 }
 
-/// Whether so little of the surface is lit that the samples of the whole globe are too few; at half a turn it has no horns.
+/// Whether so little of the surface is lit that the samples of the whole globe are too few; at half a turn it has no
+/// horns.
 bool is_thin(Angle phase_angle) { return phase_angle > 125.0 * deg && phase_angle < 179.99 * deg; }
 
 double sum_sunlight(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting) {

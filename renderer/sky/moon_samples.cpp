@@ -82,8 +82,7 @@ MoonSamples sample_moon(const MoonMap& map, int places) {
       const double up = along_edge(0.5698402909980532, i + 1);
       const f64::vec3 place = f64::cube_direction(face, {right, up});
       const double radius = glm::length(place);
-      samples.push_back(
-          sample_at(map, face, {right, up}, place / radius, 4.0 / (places * radius * radius * radius)));
+      samples.push_back(sample_at(map, face, {right, up}, place / radius, 4.0 / (places * radius * radius * radius)));
     }
   }
   return samples;

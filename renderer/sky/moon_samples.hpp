@@ -25,8 +25,8 @@ using MoonSamples = std::vector<MoonSample>;
 /// Throws Error(argument) unless the map has six square faces and there is a place.
 [[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int places = 16384);
 
-/// Of the lune between limb and terminator alone, with the relief beyond it that the Sun lights: as fine as the texels of
-/// a map of 256 a face where a crescent is thin, so that its light is found within 0.1 % to 172 degrees of phase.
+/// Of the lune between limb and terminator alone, with the relief beyond it that the Sun lights: as fine as the texels
+/// of a map of 256 a face where a crescent is thin, so that its light is found within 0.1 % to 172 degrees of phase.
 /// \param map that sample_moon takes
 /// \param to_observer unit vectors of the Moon's axes, at least a right angle and less than a half turn apart
 [[nodiscard]] MoonSamples sample_crescent(const MoonMap& map, const Vec3& to_observer, const Vec3& to_sun);

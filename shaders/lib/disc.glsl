@@ -128,8 +128,11 @@ FN DiscArc disc_lit_arc(vec2 from, vec2 line, vec3 to_light, Real reach) {
     low = high_lit ? edge : low;
     high = high_lit ? high : edge;
   }
-  arc.start = asin(clamp((low - arc.middle) / arc.radius, Real(-1.0), Real(1.0)));
-  arc.end = asin(clamp((high - arc.middle) / arc.radius, Real(-1.0), Real(1.0)));
+  low -= arc.middle;
+  high -= arc.middle;
+  // GLSL's arc sine may be off by 1e-3.
+  arc.start = atan(low, sqrt(max((arc.radius - low) * (arc.radius + low), Real(0.0))));
+  arc.end = atan(high, sqrt(max((arc.radius - high) * (arc.radius + high), Real(0.0))));
   return arc;
 }
 

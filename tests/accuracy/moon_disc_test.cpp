@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,45 @@ TEST(MoonDisc, OfTheBuiltInMapIsSampledFinelyEnough) {
   sun.hold("light of the built-in map by the Sun against the phase law, to 150 degrees of phase, scaled away", 20.0,
            "%");
   earth.hold("light of the built-in map by the Earth against that of an even sphere, scaled away", 5.0, "%");
+}
+
+TEST(MoonDisc, LitArcsEndWhereTheSunSets) {
+  // Against steps along lines; near the horns a line may cut what is dark between them, which then lies inside the arc.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  test::ErrorSum error;
+  int lit_lines = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double elongation = 0.25 * pi * (1.0 + unit(random)); // of the Sun behind the disc
+    const double turned = pi * unit(random);
+    const Vec3 to_sun(std::sin(elongation) * std::cos(turned), std::sin(elongation) * std::sin(turned),
+                      std::cos(elongation));
+    const double reach = 0.05 * (1.0 + unit(random));
+    const Vec2 from(1.2 * unit(random), 1.2 * unit(random));
+    const Vec2 line(0.4 * unit(random), 0.4 * unit(random));
+    constexpr int steps = 4000;
+    double first = 2.0;
+    double last = -2.0;
+    for (int k = 0; k < steps; ++k) {
+      const double t = (k + 0.5) / steps;
+      const Vec2 place = from + t * line;
+      const double square = glm::dot(place, place);
+      if (square < 1.0 && glm::dot(to_sun, Vec3(place, -std::sqrt(1.0 - square))) > -reach) {
+        first = std::min(first, t);
+        last = t;
+      }
+    }
+    const f64::DiscArc arc = f64::disc_lit_arc(from, line, to_sun, reach);
+    if (last < first) {
+      error.add(steps * arc.radius * (std::sin(arc.end) - std::sin(arc.start)));
+      continue;
+    }
+    ++lit_lines;
+    error.add(steps * (arc.middle + arc.radius * std::sin(arc.start) - first));
+    error.add(steps * (arc.middle + arc.radius * std::sin(arc.end) - last));
+  }
+  EXPECT_GT(lit_lines, 800);
+  error.hold("ends of what a line shows of a crescent", 1.0, "steps of 1/4000 of the line");
 }
 
 TEST(MoonDisc, GivesTheSkyTheSameLight) {

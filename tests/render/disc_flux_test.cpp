@@ -154,8 +154,9 @@ TEST_F(DiscFlux, CrescentsOfTheRealMoonFromAFewPixelsOn) {
       ErrorSum sum;
       for (const double wide_px : {6.0, 16.5, 23.0, 40.0, 90.0, 200.0, 400.0}) {
         const double fov_deg = 0.53 * std::max(64.0, 1.2 * wide_px) / wide_px;
-        sum.add(errors(Body::moon, sky, {Projection::perspective, fov_deg, static_cast<int>(fov_deg / 0.53 * wide_px)}, 3)
-                    .worst());
+        sum.add(
+            errors(Body::moon, sky, {Projection::perspective, fov_deg, static_cast<int>(fov_deg / 0.53 * wide_px)}, 3)
+                .worst());
       }
       char what[80];
       std::snprintf(what, sizeof(what), "light of the real map from 6 to 400 px, phase angle %.1f degrees",
