@@ -15,12 +15,11 @@ dusk() {
   echo "docs/pictures/$name.png"
 }
 
-# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian, as a camera has it.
+# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian, as the eye has it.
 picture() {
   local name=$1
   shift
-  "$render" --quiet --time 2026-01-15T22:00:00Z --latitude 51.4769 --longitude 0 --height 47 --seed 1 \
-    --operator photographic --exposure -1 "$@" \
+  "$render" --quiet --time 2026-01-15T22:00:00Z --latitude 51.4769 --longitude 0 --height 47 --seed 1 "$@" \
     -o "docs/pictures/$name.png"
   echo "docs/pictures/$name.png"
 }
