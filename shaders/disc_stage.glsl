@@ -26,6 +26,10 @@ struct DiscCell {
 
 // Luminance above the air that a cell adds, and what it hides.
 vec4 disc_light(DiscCell cell, out float hidden);
+#ifdef CRESCENT
+// Mean luminance above the air that the pixel has besides, and that times the sine of the altitude that it has in Y.
+vec4 light_apart(DiscCell pixel, out float altitude);
+#endif
 // How much finer than a pixel is worth looking there: 1 where the pixel will do.
 int disc_cells(DiscCell pixel);
 
@@ -78,6 +82,12 @@ bool cell_at(vec2 at, float size, out DiscCell cell) {
   return inside && dot(direction, block.disc.centre) > 0.0;
 }
 
+// Sine of the altitude of another place on a pixel's disc.
+float sin_altitude_beside(DiscCell pixel, vec2 place) {
+  return pixel.sin_altitude +
+         (place.y - pixel.place.y) * block.disc.sine * block.disc.scale * block.disc.flattening * block.disc.up_zenith;
+}
+
 // One of the cells of a pixel, on a straight line from the pixel's centre where that will do: not where the pixel is
 // wider than the disc's radius, nor at the pole of a map, whose pixels are slices of a cake.
 bool cell_of(DiscCell pixel, vec2 at, vec2 off, float size, out DiscCell cell) {
@@ -87,8 +97,7 @@ bool cell_of(DiscCell pixel, vec2 at, vec2 off, float size, out DiscCell cell) {
   cell.place = pixel.place + off.x * pixel.across + off.y * pixel.down;
   cell.across = size * pixel.across;
   cell.down = size * pixel.down;
-  cell.sin_altitude = pixel.sin_altitude + (cell.place.y - pixel.place.y) * block.disc.sine * block.disc.scale *
-                                               block.disc.flattening * block.disc.up_zenith;
+  cell.sin_altitude = sin_altitude_beside(pixel, cell.place);
   return true;
 }
 
@@ -101,11 +110,13 @@ void main() {
     discard;
   }
   float hidden;
+#ifndef CRESCENT
   if (cells == 1) {
     luminance = behind_air(disc_light(pixel, hidden), pixel.sin_altitude);
     cover = vec4(hidden);
     return;
   }
+#endif
   // The mean over the pixel's solid angle, whose air is that of where its light is.
   PixelFrame frame = PixelFrame(PROJECTION, block.size, block.focal);
   vec4 light = vec4(0.0);
@@ -127,6 +138,13 @@ void main() {
     }
   }
   weights = max(weights, 1.0e-30);
-  luminance = behind_air(light / weights, light.y > 0.0 ? altitude / light.y : pixel.sin_altitude);
+  light /= weights;
+  altitude /= weights;
+#ifdef CRESCENT
+  float altitude_apart;
+  light += light_apart(pixel, altitude_apart);
+  altitude += altitude_apart;
+#endif
+  luminance = behind_air(light, light.y > 0.0 ? altitude / light.y : pixel.sin_altitude);
   cover = vec4(covered / weights);
 }

@@ -91,9 +91,13 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
       more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
-    shown = under_ceiling(tone.x, more, display.range_cd_m2);
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
-    color *= shown / (tone.x + more);
+    // The ceiling is what the display can show of that colour.
+    float asked = max(tone.x + more, 1.0e-30);
+    vec3 rgb = signal_from_xyz * color;
+    float ceiling = asked / max(max(rgb.x, rgb.y), max(rgb.z, asked / display.range_cd_m2));
+    shown = under_ceiling(tone.x, more, max(ceiling, tone.x));
+    color *= shown / asked;
   }
   // Of the light that a display adds to its floor.
   return fit_to_gamut(signal_from_xyz * color, shown / display.range_cd_m2);

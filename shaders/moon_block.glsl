@@ -5,5 +5,6 @@ layout(std140, binding = 1) uniform MoonBlock {
   vec4 from_earth_km; // the Moon's centre, from the Earth's; w: the Moon's radius
   EarthShadow shadow;
   LunarEclipseFrame eclipse;
-  float map_level; // of the map's mipmaps
+  float map_level;      // of the map's mipmaps
+  float crescent_cells; // a radian of the sphere, where the Sun's light is added up apart
 } moon;

@@ -1,5 +1,5 @@
 // The light of the air and of the ground below it, added to what is drawn already. PEAK draws what aerosol scatters close
-// to a light, which the rest leaves out.
+// to a light, which the rest leaves out. DARK_SKY draws with it what dark_sky.frag has in the air, in the same order.
 #include "prelude.glsl"
 #include "lib/cube_map.glsl"
 #include "lib/projection.glsl"
@@ -15,6 +15,11 @@ layout(location = 1) uniform vec2 size;
 layout(location = 2) uniform float focal;
 layout(location = 3) uniform float horizon_sin_altitude;
 layout(location = 4) uniform vec2 strip; // first row and number of rows that the framebuffer holds
+
+#ifdef DARK_SKY
+layout(binding = 2) uniform sampler2D dark_map;
+layout(location = 5) uniform vec2 dark_rows;
+#endif
 
 #ifdef PEAK
 flat in int light;
@@ -45,6 +50,11 @@ void main() {
   vec4 light_here = peak * exp2(textureLod(map, place / texels, 0.0));
 #else
   vec4 light_here = exp2(textureLod(map, place / texels, 0.0));
+#endif
+#ifdef DARK_SKY
+  vec2 dark_texels = vec2(textureSize(dark_map, 0));
+  vec2 dark_place = sky_map_texel(direction, depth, cover, dark_rows, dark_texels.x, map_frame(), row);
+  light_here += textureLod(dark_map, dark_place / dark_texels, 0.0);
 #endif
   // Over the limb there is no air.
   luminance = row <= 1.0001 ? light_here : vec4(0.0);

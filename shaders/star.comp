@@ -2,7 +2,7 @@
 // of a billboard share the work.
 //
 // PROJECTION is a number of projection.glsl. CHEAP selects Mueller's point-spread function, fades and scintillation.
-// DISCS gives every star an angular diameter, which calms its scintillation. SHARP gives all the smallest spread.
+// DISCS gives every star an angular diameter, which calms its scintillation.
 #include "prelude.glsl"
 #include "lib/hash.glsl"
 #include "lib/star_place.glsl"
@@ -116,11 +116,7 @@ PlacedStar place(uint star) {
   placed.radius = max(mueller_radius, min(1.5 * sqrt(placed.glare), 24.0));
 #else
   // From the light without scintillation: the spread must not breathe with it.
-#ifdef SHARP
-  placed.sigma = smallest_psf_sigma;
-#else
-  placed.sigma = psf_sigma(light.y);
-#endif
+  placed.sigma = psf_sigma;
   placed.radius = psf_cut(light.y) * placed.sigma;
 #endif
   return placed;

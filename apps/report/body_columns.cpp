@@ -30,7 +30,7 @@ double sun_disc_luminance_cd_m2(const ReportedScene& scene) {
   return discs_of(scene).sun_illuminance_lux / (std::numbers::pi * sine * sine);
 }
 
-constexpr std::array columns{
+constexpr std::array of_bodies{
     SceneColumn{"sun_magnitude", [](const ReportedScene& s) { return discs_of(s).sun_magnitude; }},
     SceneColumn{"sun_illuminance_lux", [](const ReportedScene& s) { return discs_of(s).sun_illuminance_lux; }},
     SceneColumn{"sun_disc_luminance_cd_m2", sun_disc_luminance_cd_m2},
@@ -48,6 +48,6 @@ double seen_danjon_of(const SkyState& sky, const MoonIllumination& moon) {
                                                                       : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::span<const SceneColumn> body_columns() { return columns; }
+std::span<const SceneColumn> body_columns() { return of_bodies; }
 
 } // namespace vesper

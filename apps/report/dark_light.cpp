@@ -1,11 +1,7 @@
 #include "report/dark_light.hpp"
 
 #include "vesper/base/gauss_legendre.hpp"
-#include "vesper/light/night_light.hpp"
-#include "vesper/light/response_functions.hpp"
-#include "vesper/light/response_matrix.hpp"
-#include "vesper/light/sunlight.hpp"
-#include "vesper/sky/sky_light.hpp"
+#include "vesper/sky/dark_sky_sources.hpp"
 
 #include <cmath>
 #include <functional>
@@ -28,15 +24,14 @@ double glow_illuminance(const Medium& medium, Length height, Length distance) {
   return lux_sum;
 }
 
-/// \param luminance above the air, cd/m2 \param direct X, Y, Z, S of what comes through of it in the zenith
-/// \param share of it that comes through at a sine of altitude
-DarkSourceLight source_light(const DarkAir& air, const Mat4& from_sunlight, const Vec4& direct,
-                             const std::function<double(const Vec3&)>& luminance,
+/// \param direct X, Y, Z, S in cd/m2 of what comes through the air from the zenith
+/// \param share that comes through at a sine of altitude
+DarkSourceLight source_light(const DarkAir& air, const SpreadSource& source, const Vec4& direct,
                              const std::function<double(double)>& share) {
-  const SpreadLight light = spread_light(air.scattered.lowest(), luminance);
-  const Vec4 zenith_light = direct + from_sunlight * air.scattered.luminance(0, Angle(), light);
-  DarkSourceLight sum{(from_sunlight * air.scattered.illuminance(light)).y, zenith_light.y, zenith_light.w};
-  for (const SpreadLight::Ring& ring : light.rings) {
+  const Vec4 zenith_light = direct + source.scattered(air.scattered, 0, Angle());
+  DarkSourceLight sum{(source.from_sunlight * air.scattered.illuminance(source.light)).y, zenith_light.y,
+                      zenith_light.w};
+  for (const SpreadLight::Ring& ring : source.light.rings) {
     const double sine = std::sin(ring.altitude.to(rad));
     sum.illuminance_lux += sine > 0.0 ? sine * ring.even * share(sine) : 0.0;
   }
@@ -61,25 +56,19 @@ DarkSourceLight DarkLight::sum() const {
 
 DarkLight dark_light(const SkyState& sky, const DarkAir& air, const DarkSkyOptions& options) {
   const DarkSky dark = dark_sky(sky, options);
-  const Spectrum& sunlight = solar_irradiance_1au();
-  static const Mat4 to_airglow = response_matrix(sunlight, airglow_spectrum());
-  static const Mat4 to_zodiacal = response_matrix(sunlight, zodiacal_spectrum(0.5));
-  static const Mat4 to_starlight = response_matrix(sunlight, faint_starlight_spectrum());
+  const Angle lowest = air.scattered.lowest();
   DarkLight light;
-  light.airglow = source_light(
-      air, to_airglow, air.direct.airglow(dark, 1.0), [&](const Vec3& at) { return airglow_above(dark, at.z).y; },
-      [&](double sine) { return air.direct.airglow(dark, sine).y / airglow_above(dark, sine).y; });
-  light.zodiacal = source_light(
-      air, to_zodiacal, air.direct.zodiacal_share(1.0) * zodiacal_light(dark, zenith),
-      [&](const Vec3& at) { return zodiacal_light(dark, at).y; },
-      [&](double sine) { return air.direct.zodiacal_share(sine).y; });
-  light.starlight = source_light(
-      air, to_starlight, air.direct.starlight_share(1.0) * faint_starlight(dark, zenith, starlight_field),
-      [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; },
-      [&](double sine) { return air.direct.starlight_share(sine).y; });
+  light.airglow = source_light(air, spread_airglow(dark, lowest), air.direct.airglow(dark, 1.0), [&](double sine) {
+    return air.direct.airglow(dark, sine).y / airglow_above(dark, sine).y;
+  });
+  light.zodiacal = source_light(air, spread_zodiacal_light(dark, lowest),
+                                air.direct.zodiacal_share(1.0) * zodiacal_light(dark, zenith),
+                                [&](double sine) { return air.direct.zodiacal_share(sine).y; });
+  light.starlight = source_light(air, spread_starlight(dark, lowest),
+                                 air.direct.starlight_share(1.0) * faint_starlight(dark, zenith, starlight_field),
+                                 [&](double sine) { return air.direct.starlight_share(sine).y; });
   const double glow = air.glow_lux > 0.0 ? options.glow.zenith.to(candela_per_m2) : 0.0;
-  static const double lamp_sp_ratio = integrate_xyzs(lamp_spectrum()).s / integrate_xyzs(lamp_spectrum()).y;
-  light.sky_glow = {glow * air.glow_lux, glow, glow * lamp_sp_ratio};
+  light.sky_glow = {glow * air.glow_lux, glow, glow * sky_glow_color().w};
   return light;
 }
 

@@ -122,7 +122,7 @@ double zenith_extinction(const ReportedScene& scene) {
   return zenith_extinction_v_mag(scene.air.medium(), height_in_air(scene.sky.observer), solar_irradiance_1au());
 }
 
-constexpr std::array columns{
+constexpr std::array of_light{
     SceneColumn{"zenith_extinction_v_mag", zenith_extinction},
     SceneColumn{"horizontal_illuminance_lux", horizontal_illuminance_lux, true},
     SceneColumn{"zenith_luminance_cd_m2", zenith_luminance_cd_m2, true},
@@ -169,6 +169,6 @@ const DarkLight& dark_light_of(const ReportedScene& scene) {
   return *scene.dark;
 }
 
-std::span<const SceneColumn> light_columns() { return columns; }
+std::span<const SceneColumn> light_columns() { return of_light; }
 
 } // namespace vesper

@@ -14,7 +14,7 @@
 namespace vesper {
 namespace {
 
-constexpr const char* remedy = "Make the file again with vesper-catalog moon";
+constexpr const char* moon_map_remedy = "Make the file again with vesper-catalog moon";
 constexpr std::array<const char*, 4> channels = {"A", "NX", "NY", "NZ"};
 // A unit vector of 16-bit floats is off by up to 5e-4.
 constexpr double unit_tolerance = 1.0e-3;
@@ -41,7 +41,7 @@ constexpr std::array<CountField, 4> count_fields = {{{"albedo_pixels", &MoonMapP
 constexpr const char* scale_field = "albedo_scale";
 
 [[noreturn]] void fail(ErrorKind kind, const std::string& file, const std::string& place, const std::string& message) {
-  throw Error(kind, message, {file, place, remedy});
+  throw Error(kind, message, {file, place, moon_map_remedy});
 }
 
 /// The rule that a texel breaks, or nullptr.
@@ -94,9 +94,9 @@ ImageMetadata metadata_of(const MoonMapProvenance& p) {
   return metadata;
 }
 
-class Decoder {
+class MoonMapDecoder {
 public:
-  Decoder(const FloatImage& image, const std::string& file) : image_(image), file_(file) {}
+  MoonMapDecoder(const FloatImage& image, const std::string& file) : image_(image), file_(file) {}
 
   [[nodiscard]] MoonMap decode() const {
     if (image_.height != 6 * image_.width) {
@@ -185,12 +185,12 @@ void write_moon_map(const std::filesystem::path& path, const MoonMap& map) {
 MoonMap read_moon_map(const std::filesystem::path& path) {
   const FloatImage image = read_image(path);
   const std::string file = path.string();
-  return Decoder(image, file).decode();
+  return MoonMapDecoder(image, file).decode();
 }
 
 MoonMap decode_moon_map(std::span<const std::byte> bytes, const std::string& name) {
   const FloatImage image = decode_image(bytes, name);
-  return Decoder(image, name).decode();
+  return MoonMapDecoder(image, name).decode();
 }
 
 } // namespace vesper

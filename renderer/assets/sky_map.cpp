@@ -11,7 +11,7 @@
 namespace vesper {
 namespace {
 
-constexpr const char* remedy = "Make the file again with vesper-catalog panorama";
+constexpr const char* sky_map_remedy = "Make the file again with vesper-catalog panorama";
 constexpr std::array<const char*, 4> sky_channels = {"X", "Y", "Z", "S"};
 
 struct ProvenanceField {
@@ -32,13 +32,13 @@ void require_face_size(int face_size, ErrorKind kind, const std::string& file) {
     throw Error(kind,
                 "a face has " + std::to_string(face_size) + " texels a side; allowed are " +
                     std::to_string(least_sky_face) + " to " + std::to_string(most_sky_face),
-                {file, "", remedy});
+                {file, "", sky_map_remedy});
   }
 }
 
 SkyMap sky_map_of(const FloatImage& image, const std::string& file) {
   const auto fail = [&](const std::string& place, const std::string& message) {
-    throw Error(ErrorKind::input, message, {file, place, remedy});
+    throw Error(ErrorKind::input, message, {file, place, sky_map_remedy});
   };
   if (image.height != 6 * image.width) {
     fail("", "is no cube map: it has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
@@ -101,7 +101,8 @@ void write_sky_map(const std::filesystem::path& path, int face_size, const SkyMa
 
 void write_sky_map(const std::filesystem::path& path, const SkyMap& map) {
   if (map.texels.size() != sky_channels.size() * cube_texel_count(map.face_size)) {
-    throw Error(ErrorKind::argument, "holds another number of texels than its size says", {path.string(), "", remedy});
+    throw Error(ErrorKind::argument, "holds another number of texels than its size says",
+                {path.string(), "", sky_map_remedy});
   }
   const std::size_t row = sky_channels.size() * static_cast<std::size_t>(map.face_size);
   write_sky_map(path, map.face_size, map.provenance, [&](int first_row, std::span<float> xyzs) {

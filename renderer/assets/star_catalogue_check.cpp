@@ -12,10 +12,8 @@
 namespace vesper {
 namespace {
 
-constexpr const char* remedy = "Make the file again with vesper-catalog stars";
-
 // A unit vector rounded to floats is off by less than 1e-7; a proper motion by that much of its length.
-constexpr double unit_tolerance = 1e-6;
+constexpr double unit_vector_tolerance = 1e-6;
 // Illuminance of V = 0: that of an A0 star, times the lux ratio of any colour between deep blue and a carbon star.
 constexpr double least_v0_lux = 0.9 * f64::zero_magnitude_lux;
 constexpr double most_v0_lux = 1.5 * f64::zero_magnitude_lux;
@@ -33,11 +31,11 @@ const char* fault_of(const StarRecord& star, const StarIdentity& identity) {
       !std::isfinite(identity.magnitude)) {
     return "a number is not finite";
   }
-  if (std::abs(std::sqrt(dot(star.position, star.position)) - 1.0) > unit_tolerance) {
+  if (std::abs(std::sqrt(dot(star.position, star.position)) - 1.0) > unit_vector_tolerance) {
     return "the position is not a unit vector";
   }
   const double motion = std::sqrt(dot(star.proper_motion, star.proper_motion));
-  if (std::abs(dot(star.position, star.proper_motion)) > unit_tolerance * motion) {
+  if (std::abs(dot(star.position, star.proper_motion)) > unit_vector_tolerance * motion) {
     return "the proper motion is not tangent to the sphere";
   }
   if (star.parallax < 0.0F) {
@@ -72,7 +70,7 @@ double total_illuminance_lux(const StarCatalogue& catalogue) {
 void check_star_catalogue(const StarCatalogue& catalogue, ErrorKind kind, const std::string& file) {
   const auto& [stars, identities, provenance] = catalogue;
   const auto fail = [&](const std::string& place, const std::string& message) {
-    throw Error(kind, message, {file, place, remedy});
+    throw Error(kind, message, {file, place, star_file_remedy});
   };
   if (stars.empty()) {
     fail("", "the catalogue holds no star");

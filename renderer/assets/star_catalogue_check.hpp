@@ -8,6 +8,9 @@
 
 namespace vesper {
 
+/// What helps against a broken star catalogue.
+inline constexpr const char* star_file_remedy = "Make the file again with vesper-catalog stars";
+
 /// Largest relative difference allowed between the sum of the stars' illuminances and the one in the provenance.
 inline constexpr double star_flux_tolerance = 1e-6;
 

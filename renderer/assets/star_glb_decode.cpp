@@ -16,16 +16,14 @@ namespace {
 using Json = nlohmann::json;
 using namespace star_glb;
 
-constexpr const char* remedy = "Make the file again with vesper-catalog stars";
-
 struct Chunks {
   std::string_view json;
   std::span<const std::byte> bin;
 };
 
-class Decoder {
+class GlbDecoder {
 public:
-  Decoder(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
+  GlbDecoder(std::span<const std::byte> bytes, std::string name) : bytes_(bytes), name_(std::move(name)) {}
 
   StarCatalogue decode() {
     const Chunks chunks = split();
@@ -50,7 +48,7 @@ public:
 
 private:
   [[noreturn]] void fail(const std::string& place, const std::string& message) const {
-    throw Error(ErrorKind::input, message, {name_, place, remedy});
+    throw Error(ErrorKind::input, message, {name_, place, star_file_remedy});
   }
 
   [[noreturn]] void fail_at_byte(std::size_t offset, const std::string& message) const {
@@ -290,7 +288,7 @@ private:
 } // namespace
 
 StarCatalogue decode_star_glb(std::span<const std::byte> bytes, const std::string& name) {
-  return Decoder(bytes, name).decode();
+  return GlbDecoder(bytes, name).decode();
 }
 
 StarCatalogue read_star_glb(const std::filesystem::path& path) {

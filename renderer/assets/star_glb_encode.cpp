@@ -12,7 +12,7 @@
 namespace vesper {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using namespace star_glb;
 
 /// The double with the float's shortest decimal form, so that 4.61 does not become 4.610000133514404 in the file. It
@@ -26,12 +26,12 @@ double shortest(float value) {
 }
 
 // Not shortened: the glTF rules compare the bounds with the buffer bit for bit.
-Json bound_json(const StarCatalogue& catalogue, bool upper) {
+OrderedJson bound_json(const StarCatalogue& catalogue, bool upper) {
   const std::array<float, 3> bound = position_bound(catalogue.stars, upper);
   return {static_cast<double>(bound[0]), static_cast<double>(bound[1]), static_cast<double>(bound[2])};
 }
 
-Json provenance_json(const StarProvenance& p) {
+OrderedJson provenance_json(const StarProvenance& p) {
   return {{"source", p.source},
           {"source_file", p.source_file},
           {"source_sha256", p.source_sha256},
@@ -44,7 +44,7 @@ Json provenance_json(const StarProvenance& p) {
           {"illuminance_lux", p.illuminance_lux}};
 }
 
-Json units_json() {
+OrderedJson units_json() {
   return {{"POSITION", "ICRS unit vector at the epoch"},
           {"_PROPER_MOTION", "rad/year, tangent to the sphere"},
           {"_PARALLAX", "rad, 0 unknown"},
@@ -55,11 +55,11 @@ Json units_json() {
           {"magnitude", "Johnson V above the atmosphere"}};
 }
 
-Json identities_json(const StarCatalogue& catalogue) {
-  Json hr = Json::array();
-  Json hd = Json::array();
-  Json name = Json::array();
-  Json magnitude = Json::array();
+OrderedJson identities_json(const StarCatalogue& catalogue) {
+  OrderedJson hr = OrderedJson::array();
+  OrderedJson hd = OrderedJson::array();
+  OrderedJson name = OrderedJson::array();
+  OrderedJson magnitude = OrderedJson::array();
   for (const StarIdentity& star : catalogue.identities) {
     hr.push_back(star.hr);
     hd.push_back(star.hd);
@@ -69,45 +69,46 @@ Json identities_json(const StarCatalogue& catalogue) {
   return {{"hr", std::move(hr)}, {"hd", std::move(hd)}, {"name", std::move(name)}, {"magnitude", std::move(magnitude)}};
 }
 
-Json document(const StarCatalogue& catalogue) {
+OrderedJson document(const StarCatalogue& catalogue) {
   const std::size_t size = catalogue.stars.size() * sizeof(StarRecord);
-  Json accessors = Json::array();
-  Json members = Json::object();
+  OrderedJson accessors = OrderedJson::array();
+  OrderedJson members = OrderedJson::object();
   for (const Attribute& attribute : attributes) {
     members[attribute.name] = accessors.size();
-    Json accessor{{"bufferView", 0},
-                  {"byteOffset", attribute.offset},
-                  {"componentType", component_float},
-                  {"count", catalogue.stars.size()},
-                  {"type", attribute.type}};
+    OrderedJson accessor{{"bufferView", 0},
+                         {"byteOffset", attribute.offset},
+                         {"componentType", component_float},
+                         {"count", catalogue.stars.size()},
+                         {"type", attribute.type}};
     if (accessors.empty()) {
       accessor["min"] = bound_json(catalogue, false);
       accessor["max"] = bound_json(catalogue, true);
     }
     accessors.push_back(std::move(accessor));
   }
-  Json primitive{{"attributes", std::move(members)}, {"mode", mode_points}};
-  Json mesh{
-      {"name", "stars"}, {"primitives", Json::array({std::move(primitive)})}, {"extras", identities_json(catalogue)}};
-  Json view{{"buffer", 0},
-            {"byteOffset", 0},
-            {"byteLength", size},
-            {"byteStride", sizeof(StarRecord)},
-            {"target", target_array_buffer}};
-  Json asset{{"version", "2.0"},
-             {"generator", catalogue.provenance.tool},
-             {"copyright", catalogue.provenance.licence},
-             {"extras", {{"provenance", provenance_json(catalogue.provenance)}, {"units", units_json()}}}};
-  Json node{{"name", "stars"}, {"mesh", 0}};
-  Json scene{{"name", "sky"}, {"nodes", Json::array({0})}};
+  OrderedJson primitive{{"attributes", std::move(members)}, {"mode", mode_points}};
+  OrderedJson mesh{{"name", "stars"},
+                   {"primitives", OrderedJson::array({std::move(primitive)})},
+                   {"extras", identities_json(catalogue)}};
+  OrderedJson view{{"buffer", 0},
+                   {"byteOffset", 0},
+                   {"byteLength", size},
+                   {"byteStride", sizeof(StarRecord)},
+                   {"target", target_array_buffer}};
+  OrderedJson asset{{"version", "2.0"},
+                    {"generator", catalogue.provenance.tool},
+                    {"copyright", catalogue.provenance.licence},
+                    {"extras", {{"provenance", provenance_json(catalogue.provenance)}, {"units", units_json()}}}};
+  OrderedJson node{{"name", "stars"}, {"mesh", 0}};
+  OrderedJson scene{{"name", "sky"}, {"nodes", OrderedJson::array({0})}};
   return {{"asset", std::move(asset)},
           {"scene", 0},
-          {"scenes", Json::array({std::move(scene)})},
-          {"nodes", Json::array({std::move(node)})},
-          {"meshes", Json::array({std::move(mesh)})},
+          {"scenes", OrderedJson::array({std::move(scene)})},
+          {"nodes", OrderedJson::array({std::move(node)})},
+          {"meshes", OrderedJson::array({std::move(mesh)})},
           {"accessors", std::move(accessors)},
-          {"bufferViews", Json::array({std::move(view)})},
-          {"buffers", Json::array({Json{{"byteLength", size}}})}};
+          {"bufferViews", OrderedJson::array({std::move(view)})},
+          {"buffers", OrderedJson::array({OrderedJson{{"byteLength", size}}})}};
 }
 
 void append(Bytes& bytes, const void* data, std::size_t size) {
@@ -121,7 +122,7 @@ void append(Bytes& bytes, std::uint32_t value) { append(bytes, &value, sizeof(va
 
 Bytes encode_star_glb(const StarCatalogue& catalogue) {
   check_star_catalogue(catalogue, ErrorKind::argument, "");
-  std::string json = document(catalogue).dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string json = document(catalogue).dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   const std::size_t bin_size = catalogue.stars.size() * sizeof(StarRecord);
   const std::size_t total = header_size + chunk_header_size + json.size() + chunk_header_size + bin_size;

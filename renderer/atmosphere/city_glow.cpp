@@ -20,7 +20,8 @@ constexpr double glowing_top_km = 50.0; ///< higher air scatters nothing that sh
 constexpr double city_radius_km = 2.0;
 constexpr double longest_view_km = 400.0;
 
-/// Garstang's upward light in a direction, to a scale.
+/// Garstang's upward light in a direction, to a scale: 0.554 makes the whole of the second term F, as 2 does that of
+/// the first G (1 - F).
 double upward_light(double sin_elevation) {
   constexpr double reflectance = 0.15;
   constexpr double upward_share = 0.15;

@@ -18,16 +18,18 @@ struct CityGlow {
   Luminance zenith;                   ///< of artificial light alone, at the observer; none by default
   std::optional<Angle> azimuth;       ///< of the city, north through east; without one, cities all around
   Length distance = 30.0 * kilometre; ///< to the city
+
+  [[nodiscard]] friend bool operator==(const CityGlow&, const CityGlow&) = default;
 };
 
 /// Throws Error(argument) naming what is out of its range.
 void validate(const CityGlow& glow);
 
 /// How a city's light falls off over the sky: light that the medium scatters once, at 550 nm, out of what a small city
-/// sends upward by Garstang's law (1986, PASP 98, 364, with a tenth and a half of the light sent above the horizontal
-/// and the ground's reflectance his: F = G = 0.15), through the air on both ways. The Earth is flat but for the height
-/// that a far place of the view gains on it; scattering more than once, which fills the sky far from the city, is left
-/// out, as is the observer's own surroundings' light.
+/// sends upward by Garstang's law (1986, PASP 98, 364: a share F above the horizontal, with the fourth power of the
+/// angle from the zenith, the rest down to a ground that reflects G of it evenly; F = G = 0.15 is customary), through
+/// the air on both ways. The Earth is flat but for the height that a far place of the view gains on it; scattering more
+/// than once, which fills the sky far from the city, is left out, as is the observer's own surroundings' light.
 class CityGlowPattern {
 public:
   /// \param height of the observer above the ground \param distance to the city

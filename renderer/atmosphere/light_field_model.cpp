@@ -1,6 +1,7 @@
 #include "vesper/atmosphere/light_field_model.hpp"
 
 #include "vesper/base/error.hpp"
+#include "vesper/base/sine.hpp"
 #include "vesper/base/worker_pool.hpp"
 
 #include <algorithm>
@@ -35,8 +36,6 @@ std::vector<double> light_angle_cosines() {
   }
   return cosines;
 }
-
-double sine_of(double cosine) { return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine))); }
 
 void set(Lanes* lights, std::size_t wavelength, double value) {
   lights[wavelength / Lanes::size].values[wavelength % Lanes::size] = static_cast<float>(value);

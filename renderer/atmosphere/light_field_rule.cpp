@@ -1,6 +1,7 @@
 // The directions from which the solver gathers light, and what it weighs in aerosol's sources.
 #include "vesper/atmosphere/light_field_model.hpp"
 #include "vesper/base/gauss_legendre.hpp"
+#include "vesper/base/sine.hpp"
 #include "vesper/base/worker_pool.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace vesper {
 namespace {
 
 using std::numbers::pi;
-
-double sine_of(double cosine) { return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine))); }
 
 } // namespace
 

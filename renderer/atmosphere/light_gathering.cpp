@@ -1,5 +1,7 @@
 #include "vesper/atmosphere/light_gathering.hpp"
 
+#include "vesper/base/sine.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +15,7 @@ f32::LightTable block(const std::vector<Lanes>& lights, std::size_t b, std::size
 } // namespace
 
 f32::LightPlace light_place(const LightRay& ray, double cos_light_zenith, double cos_azimuth) {
-  const double level = std::sqrt(std::max(0.0, (1.0 - cos_light_zenith) * (1.0 + cos_light_zenith))) * cos_azimuth;
+  const double level = sine_of(cos_light_zenith) * cos_azimuth;
   return {static_cast<float>(cos_light_zenith), static_cast<float>(level),
           static_cast<float>(ray.cos_zenith * cos_light_zenith + ray.sin_zenith * level)};
 }

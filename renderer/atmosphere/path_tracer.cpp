@@ -1,6 +1,7 @@
 #include "vesper/atmosphere/path_tracer.hpp"
 
 #include "vesper/base/shader_math.hpp"
+#include "vesper/base/sine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ Vec3 around(const Vec3& axis, double cos_angle, RandomStream& random) {
   const Vec3 aside = std::abs(axis.z) < 0.9 ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0);
   const Vec3 x = glm::normalize(glm::cross(aside, axis));
   const Vec3 y = glm::cross(axis, x);
-  const double sin_angle = std::sqrt(std::max(0.0, (1.0 - cos_angle) * (1.0 + cos_angle)));
+  const double sin_angle = sine_of(cos_angle);
   return cos_angle * axis + sin_angle * (std::cos(azimuth_rad) * x + std::sin(azimuth_rad) * y);
 }
 
@@ -220,7 +221,7 @@ bool PathTracer::next_direction(const Vertex& vertex, std::size_t k, RandomStrea
   const std::size_t cell = guide_.cell(vertex.radius_km, frame.cos_light_zenith);
   if (random() < (guide_.lit(cell, k) ? 1.0 - phase_share : 0.0)) {
     const TransportGuide::Direction local = guide_.sample(cell, k, random);
-    const double sin_zenith = std::sqrt(std::max(0.0, (1.0 - local.cos_zenith) * (1.0 + local.cos_zenith)));
+    const double sin_zenith = sine_of(local.cos_zenith);
     direction = local.cos_zenith * frame.z +
                 sin_zenith * (std::cos(local.azimuth_rad) * frame.x + std::sin(local.azimuth_rad) * frame.y);
   } else {

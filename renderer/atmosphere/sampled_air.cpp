@@ -1,6 +1,7 @@
 #include "vesper/atmosphere/sampled_air.hpp"
 
 #include "vesper/base/error.hpp"
+#include "vesper/base/sine.hpp"
 
 #include <algorithm>
 #include <string>
@@ -78,7 +79,7 @@ AirRay SampledAir::ray(double radius_km, double cos_zenith) const {
   const double radius = std::max(radius_km, ground_km_);
   AirRay ray;
   ray.origin_km = radius * cos_zenith;
-  ray.perigee_km = radius * std::sqrt(std::max(0.0, (1.0 - cos_zenith) * (1.0 + cos_zenith)));
+  ray.perigee_km = radius * sine_of(cos_zenith);
   const double reach = crossing_km(ray.perigee_km, top_km_);
   ray.begin_km = std::max(ray.origin_km, -reach);
   ray.meets_ground = cos_zenith < 0.0 && ray.perigee_km < ground_km_;

@@ -1,5 +1,6 @@
 // How the guide is solved: order by order along rays from each of its cells.
 #include "vesper/atmosphere/transport_guide.hpp"
+#include "vesper/base/sine.hpp"
 #include "vesper/base/worker_pool.hpp"
 
 #include <algorithm>
@@ -10,8 +11,6 @@ namespace vesper {
 namespace {
 
 using std::numbers::pi;
-
-double sine_of(double cosine) { return std::sqrt(std::max(0.0, (1.0 - cosine) * (1.0 + cosine))); }
 
 } // namespace
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <string>
@@ -27,7 +28,7 @@ void set_light(const ProgramHandle& program, int location, const Vec4& light) {
                      static_cast<float>(light.z), static_cast<float>(light.w));
 }
 
-template <class Texels> Texture smooth_texture(int width, const Texels& texels) {
+template <class Texels> std::vector<float> rgba_of(const Texels& texels) {
   std::vector<float> rgba;
   rgba.reserve(4 * texels.size());
   for (const auto& texel : texels) {
@@ -35,9 +36,27 @@ template <class Texels> Texture smooth_texture(int width, const Texels& texels) 
       rgba.push_back(static_cast<float>(texel[channel]));
     }
   }
-  Texture texture = make_table_texture(width, rgba);
+  return rgba;
+}
+
+template <class Texels> Texture smooth_texture(int width, const Texels& texels) {
+  Texture texture = make_table_texture(width, rgba_of(texels));
   interpolate(texture);
   return texture;
+}
+
+template <class Draw> void add_light(const Draw& draw) {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  draw();
+  glDisable(GL_BLEND);
+}
+
+/// Rows of a map or table in the frame of the map's.
+void set_rows(const ProgramHandle& program, int below, int above, const DarkSkyPlace& place) {
+  glProgramUniform2f(program.name(), 5, static_cast<float>(below), static_cast<float>(above));
+  glProgramUniform3f(program.name(), 6, static_cast<float>(place.frame.nadir_to_horizon),
+                     static_cast<float>(place.frame.zenith_to_horizon), static_cast<float>(place.frame.zenith_to_end));
 }
 
 /// From the first size on that the GPU takes.
@@ -55,74 +74,65 @@ Texture cube_of(const CubePyramid& pyramid) {
 } // namespace
 
 DarkSkyPass::DarkSkyPass(const ShaderLibrary& library)
-    : programs_(library, {"fullscreen.vert", "dark_sky.frag"}), no_vertices_(make_vertex_array()) {}
+    : beyond_programs_(library, {"above_ground.vert", "dark_sky.frag"}),
+      air_programs_(library, {"fullscreen.vert", "dark_sky.frag"}), no_vertices_(make_vertex_array()) {}
 
 void DarkSkyPass::prepare(const View& view, const FramePlan& plan) {
   const PlannedDarkSky& dark = *plan.dark_sky;
+  const std::string projection = fmt::format("PROJECTION {}", static_cast<int>(view.projection));
   beyond_ = nullptr;
   if (dark.zodiacal || dark.starlight) {
-    prepare_beyond(view, plan);
+    prepare_beyond(projection, view, plan);
   }
-  air_ = &programs_.get({fmt::format("PROJECTION {}", static_cast<int>(view.projection))});
-  set_picture(*air_, view, plan);
   map_ = smooth_texture(PlannedDarkSky::columns + 1, dark.air);
-  const f64::SkyMapFrame& frame = dark.place->frame;
-  glProgramUniform2f(air_->name(), 5, PlannedDarkSky::rows_below, PlannedDarkSky::rows_above);
-  glProgramUniform3f(air_->name(), 6, static_cast<float>(frame.nadir_to_horizon),
-                     static_cast<float>(frame.zenith_to_horizon), static_cast<float>(frame.zenith_to_end));
+  air_ = nullptr;
+  if (!dark.air_with_sky) {
+    air_ = &air_programs_.get({projection});
+    set_picture(*air_, view, plan);
+    set_rows(*air_, PlannedDarkSky::rows_below, PlannedDarkSky::rows_above, *dark.place);
+  }
 }
 
-void DarkSkyPass::prepare_beyond(const View& view, const FramePlan& plan) {
+void DarkSkyPass::prepare_beyond(const std::string& projection, const View& view, const FramePlan& plan) {
   const PlannedDarkSky& dark = *plan.dark_sky;
-  std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view.projection)), "BEYOND"};
+  std::vector<std::string> defines{projection, "BEYOND"};
+  if (dark.zodiacal) {
+    defines.emplace_back("ZODIACAL");
+  }
   if (dark.starlight) {
     defines.emplace_back("MILKY_WAY");
-    defines.push_back(fmt::format("REFRACTION {}", refraction_frame(plan.refraction).kind));
   }
-  beyond_ = &programs_.get(defines);
+  beyond_ = &beyond_programs_.get(defines);
   set_picture(*beyond_, view, plan);
-  if (!zodiacal_) {
-    zodiacal_ = smooth_texture(ZodiacalMap::columns, zodiacal_map().texels);
+  beyond_tiles_ = set_tiles(*beyond_, view, 48);
+  const bool ground = has(plan.options.layers, Layer::ground);
+  glProgramUniform1f(beyond_->name(), 13, ground ? static_cast<float>(std::asin(plan.horizon_sin_altitude)) : -2.0F);
+  set_rows(*beyond_, AirBeforeStars::rows_below, AirBeforeStars::rows_above, *dark.place);
+  if (air_of_ != dark.place) {
+    shares_ = smooth_texture(AirBeforeStars::hues, dark.place->air.shares);
+    bends_ = make_row_texture(rgba_of(dark.place->air.bends));
+    interpolate(bends_);
+    air_of_ = dark.place;
   }
-  extinction_.update(plan.extinction);
   const DarkSky& sources = dark.sources;
-  set_matrix(*beyond_, 5, sources.helioecliptic_from_horizon);
-  glProgramUniform1f(beyond_->name(), 7, dark.zodiacal ? static_cast<float>(sources.zodiacal_scale) : 0.0F);
-  set_light(*beyond_, 8, sources.dust_corona);
-  glProgramUniform1f(beyond_->name(), 9, static_cast<float>(sources.sin_sun_radius));
-  const f64::StarExtinctionFrame& air = extinction_.frame();
-  glProgramUniform2i(beyond_->name(), 11, air.rows, air.columns);
-  glProgramUniform3f(beyond_->name(), 12, static_cast<float>(air.sin_horizon), static_cast<float>(air.width),
-                     static_cast<float>(air.rows_per_x));
-  glProgramUniform2f(beyond_->name(), 13, static_cast<float>(air.reddest), static_cast<float>(air.columns_per_hue));
+  const Mat3 horizon_from_view = glm::transpose(view_from_horizon(view));
+  if (dark.zodiacal) {
+    if (!zodiacal_) {
+      zodiacal_ = smooth_texture(ZodiacalMap::columns, zodiacal_map().texels);
+    }
+    set_matrix(*beyond_, 7, sources.helioecliptic_from_horizon * horizon_from_view);
+    glProgramUniform1f(beyond_->name(), 9, static_cast<float>(sources.zodiacal_scale));
+    set_light(*beyond_, 10, sources.dust_corona);
+    glProgramUniform1f(beyond_->name(), 11, static_cast<float>(sources.sin_sun_radius));
+  }
   if (dark.starlight) {
-    prepare_milky_way(plan);
+    const auto& milky_way = sources.milky_way != nullptr ? sources.milky_way : default_milky_way();
+    if (milky_way_of_ != milky_way) {
+      milky_way_ = cube_of(*milky_way);
+      milky_way_of_ = milky_way;
+    }
+    set_matrix(*beyond_, 8, sources.icrs_from_horizon * horizon_from_view);
   }
-}
-
-void DarkSkyPass::prepare_milky_way(const FramePlan& plan) {
-  const DarkSky& sources = plan.dark_sky->sources;
-  const auto& milky_way = sources.milky_way != nullptr ? sources.milky_way : default_milky_way();
-  if (milky_way_of_ != milky_way) {
-    milky_way_ = cube_of(*milky_way);
-    milky_way_of_ = milky_way;
-  }
-  set_matrix(*beyond_, 6, sources.icrs_from_horizon);
-  refraction_.update(plan.refraction);
-  const f64::RefractionFrame bend = refraction_frame(plan.refraction);
-  glProgramUniform3f(beyond_->name(), 10, static_cast<float>(bend.strength), static_cast<float>(bend.horizon_apparent),
-                     static_cast<float>(bend.horizon_true));
-  set_light(*beyond_, 14, {bend.scale_apparent, bend.scale_true});
-}
-
-void DarkSkyPass::draw(const ProgramHandle& program, const Strip& strip) {
-  set_strip(program, strip);
-  glEnable(GL_BLEND);
-  glBlendFunc(GL_ONE, GL_ONE);
-  glUseProgram(program.name());
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glDisable(GL_BLEND);
 }
 
 void DarkSkyPass::draw_beyond(const Strip& strip) {
@@ -130,15 +140,21 @@ void DarkSkyPass::draw_beyond(const Strip& strip) {
     return;
   }
   glBindTextureUnit(0, zodiacal_.name());
-  extinction_.bind(1);
-  glBindTextureUnit(2, milky_way_.name());
-  refraction_.bind(3);
-  draw(*beyond_, strip);
+  glBindTextureUnit(1, shares_.name());
+  glBindTextureUnit(2, bends_.name());
+  glBindTextureUnit(3, milky_way_.name());
+  set_strip(*beyond_, strip);
+  glUseProgram(beyond_->name());
+  glBindVertexArray(no_vertices_.name());
+  add_light([&] { glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, beyond_tiles_); });
 }
 
 void DarkSkyPass::draw_air(const Strip& strip) {
   glBindTextureUnit(0, map_.name());
-  draw(*air_, strip);
+  set_strip(*air_, strip);
+  glUseProgram(air_->name());
+  glBindVertexArray(no_vertices_.name());
+  add_light([] { glDrawArrays(GL_TRIANGLES, 0, 3); });
 }
 
 } // namespace vesper::gpu

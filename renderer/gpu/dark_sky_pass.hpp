@@ -1,15 +1,14 @@
 // The light of the night sky itself.
 #pragma once
 
-#include "vesper/gpu/extinction_texture.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
-#include "vesper/gpu/refraction_texture.hpp"
 #include "vesper/plan/frame_plan.hpp"
 #include "vesper/plan/view.hpp"
 
 #include <memory>
+#include <string>
 
 namespace vesper::gpu {
 
@@ -24,21 +23,24 @@ public:
 
   /// Adds what comes through the air to the bound framebuffer: zodiacal light and faint stars.
   void draw_beyond(const Strip& strip);
-  /// Adds what is in the air: airglow, sky glow and scattered light.
+  /// Adds what is in the air, airglow, sky glow and scattered light, for a plan that does not draw it with the sky.
   void draw_air(const Strip& strip);
+  /// What that draws: rows and columns of PlannedDarkSky, as texels of X, Y, Z and S.
+  [[nodiscard]] const Texture& air_map() const { return map_; }
 
 private:
-  void prepare_beyond(const View& view, const FramePlan& plan);
-  void prepare_milky_way(const FramePlan& plan);
-  void draw(const ProgramHandle& program, const Strip& strip);
+  void prepare_beyond(const std::string& projection, const View& view, const FramePlan& plan);
 
-  ProgramVariants programs_;
+  ProgramVariants beyond_programs_;
+  ProgramVariants air_programs_;
   VertexArray no_vertices_;
   const ProgramHandle* beyond_ = nullptr; ///< null where there is nothing of it
-  const ProgramHandle* air_ = nullptr;
-  ExtinctionTexture extinction_;
-  RefractionTexture refraction_;
+  int beyond_tiles_ = 0;
+  const ProgramHandle* air_ = nullptr; ///< null where the sky's map has it
   Texture zodiacal_;
+  Texture shares_;
+  Texture bends_;
+  std::shared_ptr<const DarkSkyPlace> air_of_; ///< what these two hold
   Texture milky_way_;
   std::shared_ptr<const CubePyramid> milky_way_of_; ///< what the texture holds
   Texture map_;

@@ -31,7 +31,8 @@ struct MoonBlock {
   f32::LunarEclipseFrame eclipse;
   std::array<float, 3> last_padding;
   float map_level;
-  std::array<float, 3> end;
+  float crescent_cells;
+  std::array<float, 2> end;
 };
 static_assert(offsetof(MoonBlock, from_earth_km) == 160 && sizeof(f32::EarthShadow) == 24 &&
               offsetof(MoonBlock, eclipse) == 208 && sizeof(f32::LunarEclipseFrame) == 36 &&
@@ -49,7 +50,7 @@ template <class V> std::array<float, 4> vector_of(const V& v) {
 /// reach ever further over the sphere, but relief must not be smoothed away there: its mean light is not that of its
 /// mean.
 double map_level(const PlannedMoon& moon) {
-  const double cell = std::min(2.0 / std::max(moon.picture.width_px, 1.0), 1.0 / moon.picture.cells_of_radius);
+  const double cell = 1.0 / std::max(0.5 * moon.picture.width_px, moon.picture.cells_of_radius);
   return std::max(std::log2(0.5 * moon.globe->map.face_size * cell), 0.0);
 }
 
@@ -81,6 +82,7 @@ MoonBlock block_of(const PlannedMoon& moon) {
                    static_cast<float>(frame.inside_km),
                    static_cast<float>(frame.columns_per_km)};
   block.map_level = static_cast<float>(map_level(moon));
+  block.crescent_cells = static_cast<float>(moon.crescent_cells);
   return block;
 }
 
@@ -124,6 +126,8 @@ void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& p
   std::vector<std::string> defines;
   if (shading == MoonShading::lambert) {
     defines.emplace_back("LAMBERT");
+  } else if (moon.crescent_cells > 0.0) {
+    defines.emplace_back("CRESCENT");
   } else if (moon.eclipse.frame.kind != f64::lunar_eclipse_none) {
     defines.emplace_back("ECLIPSE");
     eclipse_ = table_of(moon.eclipse);

@@ -1,5 +1,6 @@
 #include "vesper/gpu/picture_uniforms.hpp"
 
+#include <algorithm>
 #include <array>
 #include <epoxy/gl.h>
 
@@ -20,6 +21,12 @@ void set_picture(const ProgramHandle& program, const View& view, const FramePlan
 
 void set_strip(const ProgramHandle& program, const Strip& strip) {
   glProgramUniform2f(program.name(), 4, static_cast<float>(strip.first_row), static_cast<float>(strip.rows));
+}
+
+int set_tiles(const ProgramHandle& program, const View& view, int pixels) {
+  const auto tiles = [&](int side) { return std::clamp((side + pixels - 1) / pixels, 1, 64); };
+  glProgramUniform2i(program.name(), 12, tiles(view.width), tiles(view.height));
+  return tiles(view.width) * tiles(view.height);
 }
 
 } // namespace vesper::gpu

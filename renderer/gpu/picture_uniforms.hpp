@@ -14,4 +14,8 @@ void set_picture(const ProgramHandle& program, const View& view, const FramePlan
 /// The rows that the framebuffer holds: location 4.
 void set_strip(const ProgramHandle& program, const Strip& strip);
 
+/// Tiles for a stage that includes shaders/tiles.glsl: location 12. Returns their number.
+/// \param pixels of a tile's sides, at least
+int set_tiles(const ProgramHandle& program, const View& view, int pixels);
+
 } // namespace vesper::gpu

@@ -12,7 +12,7 @@ namespace vesper::gpu {
 class PointPass {
 public:
   /// The library must outlive the pass.
-  explicit PointPass(const ShaderLibrary& library) : points_(library, {"SHARP"}) {}
+  explicit PointPass(const ShaderLibrary& library) : points_(library) {}
 
   void place(const PointLight& point, const SkyState& sky, const View& view, const FramePlan& plan);
 

@@ -149,10 +149,12 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     graph.add("ground", [&](const Strip& strip) { with_points(ground_pass_, strip); });
   }
   if (!plan.lights.empty()) {
-    timed("sky map", timings, [&] { sky_pass_.prepare(sky, view, plan); });
+    const bool with_dark_sky = plan.dark_sky && plan.dark_sky->air_with_sky;
+    timed("sky map", timings,
+          [&] { sky_pass_.prepare(sky, view, plan, with_dark_sky ? &dark_sky_pass_.air_map() : nullptr); });
     graph.add("sky", [&](const Strip& strip) { sky_pass_.draw(strip); });
   }
-  if (plan.dark_sky) {
+  if (plan.dark_sky && !plan.dark_sky->air_with_sky) {
     graph.add("airglow", [&](const Strip& strip) { dark_sky_pass_.draw_air(strip); });
   }
 

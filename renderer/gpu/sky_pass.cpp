@@ -3,10 +3,11 @@
 #include "vesper/gpu/picture_uniforms.hpp"
 #include "vesper/sky/sky_light.hpp"
 
-#include <algorithm>
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace vesper::gpu {
 
@@ -43,7 +44,7 @@ double SkyPass::advance(const std::shared_ptr<const SkyTables>& wanted) {
   return 0.0;
 }
 
-void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan) {
+void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& plan, const Texture* dark_air) {
   const Length height = height_in_air(sky.observer);
   const double share = advance(plan.options.air.sky_tables);
   map_.fill(*now_, plan, height);
@@ -52,19 +53,28 @@ void SkyPass::prepare(const SkyState& sky, const View& view, const FramePlan& pl
   }
   map_.eclipse(*now_->tables(), plan, height);
   const std::string projection = fmt::format("PROJECTION {}", static_cast<int>(view.projection));
-  program_ = &programs_.get({projection});
+  std::vector<std::string> defines{projection};
+  dark_air_ = dark_air;
+  if (dark_air_ != nullptr) {
+    defines.emplace_back("DARK_SKY");
+  }
+  program_ = &programs_.get(defines);
+  if (dark_air_ != nullptr) {
+    glProgramUniform2f(program_->name(), 5, PlannedDarkSky::rows_below, PlannedDarkSky::rows_above);
+  }
   peak_program_ = &peak_programs_.get({projection, "PEAK"});
   set_picture(*program_, view, plan);
   set_picture(*peak_program_, view, plan);
-  const auto tiles = [](int side) { return std::clamp((side + 47) / 48, 1, 64); }; // of 48 pixels or more
-  glProgramUniform2i(peak_program_->name(), 5, tiles(view.width), tiles(view.height));
-  peak_tiles_ = tiles(view.width) * tiles(view.height) * static_cast<int>(plan.lights.size());
+  peak_tiles_ = set_tiles(*peak_program_, view, 48) * static_cast<int>(plan.lights.size());
 }
 
 void SkyPass::draw(const Strip& strip) {
   set_strip(*program_, strip);
   set_strip(*peak_program_, strip);
   map_.bind();
+  if (dark_air_ != nullptr) {
+    glBindTextureUnit(2, dark_air_->name());
+  }
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glBindVertexArray(no_vertices_.name());

@@ -24,7 +24,8 @@ public:
   void change_over(int frames) { change_frames_ = frames; }
 
   /// Computes the map of a frame whose plan has lights.
-  void prepare(const SkyState& sky, const View& view, const FramePlan& plan);
+  /// \param dark_air DarkSkyPass::air_map for a plan that draws it with the sky, else null; must outlive the drawing
+  void prepare(const SkyState& sky, const View& view, const FramePlan& plan, const Texture* dark_air);
 
   /// Adds the sky to the bound framebuffer.
   void draw(const Strip& strip);
@@ -38,6 +39,7 @@ private:
   ProgramVariants peak_programs_;
   VertexArray no_vertices_;
   const ProgramHandle* program_ = nullptr;
+  const Texture* dark_air_ = nullptr;
   const ProgramHandle* peak_program_ = nullptr;
   int peak_tiles_ = 0; ///< of all lights
   std::optional<SkyTextures> now_;

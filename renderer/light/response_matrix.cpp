@@ -14,17 +14,17 @@ namespace {
 
 constexpr int lowest_power = -8;
 constexpr std::size_t filters = 11;
-constexpr std::size_t grid_size = response_last_nm - response_first_nm + 1;
+constexpr std::size_t response_grid_size = response_last_nm - response_first_nm + 1;
 
 /// By filter (wavelength / 550 nm)^power, whose powers are even, and nanometre: the responses to light behind it.
-using FilteredResponses = std::array<std::array<Vec4, grid_size>, filters>;
+using FilteredResponses = std::array<std::array<Vec4, response_grid_size>, filters>;
 
 const FilteredResponses& filtered_responses() {
   static const auto made = [] {
     auto responses = std::make_unique<FilteredResponses>();
-    for (std::size_t i = 0; i < grid_size; ++i) {
+    for (std::size_t i = 0; i < response_grid_size; ++i) {
       const double nm = response_first_nm + static_cast<double>(i);
-      const double end = i == 0 || i + 1 == grid_size ? 0.5 : 1.0; // of the trapezoidal rule
+      const double end = i == 0 || i + 1 == response_grid_size ? 0.5 : 1.0; // of the trapezoidal rule
       const Vec4 response = end * Vec4(photopic_efficacy_lm_w * Vec3(cie_x_bar()(nm), cie_y_bar()(nm), cie_z_bar()(nm)),
                                        scotopic_efficacy_lm_w * cie_scotopic()(nm));
       for (std::size_t f = 0; f < filters; ++f) {
@@ -38,8 +38,8 @@ const FilteredResponses& filtered_responses() {
 
 /// The responses to 1 lux of a light behind each filter.
 std::array<Vec4, filters> behind_filters(const Spectrum& light, double lux) {
-  std::array<double, grid_size> values{};
-  for (std::size_t i = 0; i < grid_size; ++i) {
+  std::array<double, response_grid_size> values{};
+  for (std::size_t i = 0; i < response_grid_size; ++i) {
     values[i] = light(response_first_nm + static_cast<double>(i)) / lux;
   }
   std::array<Vec4, filters> sums{};

@@ -1,9 +1,7 @@
 #include "vesper/plan/dark_sky_plan.hpp"
 
 #include "vesper/light/night_light.hpp"
-#include "vesper/light/response_functions.hpp"
-#include "vesper/light/response_matrix.hpp"
-#include "vesper/light/sunlight.hpp"
+#include "vesper/sky/dark_sky_sources.hpp"
 #include "vesper/sky/sky_light.hpp"
 
 #include <algorithm>
@@ -33,7 +31,7 @@ DarkRow dark_row(int index, const DarkSkyPlace& place, double dip_rad, bool outs
   const int steps = below ? PlannedDarkSky::rows_below - 1 - index : index - PlannedDarkSky::rows_below;
   const int last = (below ? PlannedDarkSky::rows_below : PlannedDarkSky::rows_above) - 1;
   const double seen = f64::sky_map_altitude_rad(static_cast<double>(steps) / last, below, place.frame);
-  const double horizon = std::asin(place.horizon_sin_altitude);
+  const double horizon = std::asin(place.setting.horizon_sin_altitude);
   if (below) {
     return {seen, -dip_rad - std::max(horizon - seen, 1.0e-7) * (0.5 * pi - dip_rad) / (0.5 * pi + horizon)};
   }
@@ -75,40 +73,67 @@ std::vector<int> coarse_rows() {
 }
 
 /// A height from which the air's limb is seen from outside: above the airglow or, if that is higher, the air.
-double highest_light_km(const DarkSkyPlace& place, double ground_km) {
-  const double air_km = place.medium != nullptr ? place.medium->top_radius.to(kilometre) - ground_km : 0.0;
+double highest_light_km(const DarkSkySetting& setting, double ground_km) {
+  const double air_km = setting.medium != nullptr ? setting.medium->top_radius.to(kilometre) - ground_km : 0.0;
   return std::max(air_km, f64::airglow_top_km);
 }
 
-std::vector<double> glow_pattern(const DarkSkyPlace& place, const std::vector<DarkRow>& rows) {
-  const CityGlowPattern pattern(*place.medium, place.height, place.glow.distance);
+std::vector<double> glow_pattern(const DarkSkySetting& setting, const std::vector<DarkRow>& rows) {
+  const CityGlow& glow = setting.glow;
+  const CityGlowPattern pattern(*setting.medium, setting.height, glow.distance);
   std::vector<double> values;
   for (const int index : coarse_rows()) {
     const double sine = std::sin(rows[static_cast<std::size_t>(index)].straight_rad);
-    const double around = place.glow.azimuth ? 0.0 : pattern.around(std::max(sine, 0.0));
+    const double around = glow.azimuth ? 0.0 : pattern.around(std::max(sine, 0.0));
     for (int column = 0; column < dark_columns; ++column) {
       const bool below = index < PlannedDarkSky::rows_below;
-      values.push_back(below ? 0.0
-                       : place.glow.azimuth
-                           ? pattern.toward(std::max(sine, 0.0), azimuth_of(column) - *place.glow.azimuth)
-                           : around);
+      values.push_back(below          ? 0.0
+                       : glow.azimuth ? pattern.toward(std::max(sine, 0.0), azimuth_of(column) - *glow.azimuth)
+                                      : around);
     }
   }
   return values;
 }
 
-void fill(DarkSkyPlace& place) {
-  const double ground_km = place.medium != nullptr ? place.medium->ground_radius.to(kilometre) : earth_radius_km;
-  const double height_km = place.height.to(kilometre);
+AirBeforeStars air_before_stars(const DarkSkySetting& setting, const f64::SkyMapFrame& frame) {
+  AirBeforeStars air;
+  const f64::RefractionFrame refraction = refraction_frame(setting.refraction);
+  for (int index = 0; index < AirBeforeStars::rows_below + AirBeforeStars::rows_above; ++index) {
+    const bool below = index < AirBeforeStars::rows_below;
+    const double row =
+        below ? static_cast<double>(AirBeforeStars::rows_below - 1 - index) / (AirBeforeStars::rows_below - 1)
+              : static_cast<double>(index - AirBeforeStars::rows_below) / (AirBeforeStars::rows_above - 1);
+    const double altitude = f64::sky_map_altitude_rad(row, below, frame);
+    const double sine = std::sin(altitude);
+    const double bend = f64::refraction_bend(Vec3(std::cos(altitude), 0.0, sine), true, refraction,
+                                             refraction_sampler(setting.refraction));
+    air.bends.emplace_back(Vec4(bend, 0.0, 0.0, 0.0));
+    for (int hue = 0; hue < AirBeforeStars::hues; ++hue) {
+      const double z = static_cast<double>(hue) / (AirBeforeStars::hues - 1);
+      const Vec4 light(1.0, 1.0 - z, z, 1.0);
+      air.shares.emplace_back(
+          setting.extinction != nullptr ? glm::log2(star_extinction(*setting.extinction, sine, light)) : Vec4(0.0));
+    }
+  }
+  return air;
+}
+
+std::shared_ptr<const DarkSkyPlace> make_place(DarkSkySetting wanted) {
+  DarkSkyPlace place;
+  place.setting = std::move(wanted);
+  const DarkSkySetting& setting = place.setting;
+  const double ground_km = setting.medium != nullptr ? setting.medium->ground_radius.to(kilometre) : earth_radius_km;
+  const double height_km = setting.height.to(kilometre);
   const double dip = dip_of(height_km, ground_km);
-  const double top_km = highest_light_km(place, ground_km);
+  const double top_km = highest_light_km(setting, ground_km);
   const bool outside = height_km > top_km;
   double sin_highest = 1.0;
   if (outside) {
     const double limb_dip = std::acos((ground_km + top_km) / (ground_km + height_km));
-    sin_highest = std::sin(std::asin(place.horizon_sin_altitude) + dip - limb_dip);
+    sin_highest = std::sin(std::asin(setting.horizon_sin_altitude) + dip - limb_dip);
   }
-  place.frame = f64::sky_map_frame(place.horizon_sin_altitude, sin_highest);
+  place.frame = f64::sky_map_frame(setting.horizon_sin_altitude, sin_highest);
+  place.air = air_before_stars(setting, place.frame);
   std::vector<DarkRow> rows;
   rows.reserve(dark_rows);
   for (int index = 0; index < dark_rows; ++index) {
@@ -116,9 +141,11 @@ void fill(DarkSkyPlace& place) {
   }
   std::optional<RefractedColumns> columns;
   std::optional<LightThroughAir> through;
-  if (place.medium != nullptr) {
-    columns.emplace(*place.medium, place.height, place.bending);
-    through.emplace(*place.medium, airglow_spectrum());
+  if (setting.medium != nullptr) {
+    const bool bends = setting.refraction.model != RefractionModel::none;
+    columns.emplace(*setting.medium, setting.height,
+                    bends ? std::optional(setting.refraction.conditions) : std::nullopt);
+    through.emplace(*setting.medium, airglow_spectrum());
   }
   for (const DarkRow& row : rows) {
     const Vec2 paths = f64::airglow_paths(std::sin(row.straight_rad), height_km, ground_km);
@@ -126,64 +153,35 @@ void fill(DarkSkyPlace& place) {
     place.airglow_shares.push_back(
         columns && paths.y > 0.0 ? through->share(columns->columns_km(std::sin(row.seen_rad))) : Vec4(1.0));
   }
-  if (place.glow.zenith > Luminance() && place.medium != nullptr) {
-    place.glow_pattern = glow_pattern(place, rows);
+  if (setting.glow.zenith > Luminance() && setting.medium != nullptr) {
+    place.glow_pattern = glow_pattern(setting, rows);
   }
-  if (place.sky_tables != nullptr) {
+  if (setting.sky_tables != nullptr) {
     const std::vector<int> coarse = coarse_rows();
     std::vector<Angle> altitudes;
     altitudes.reserve(coarse.size());
     for (const int index : coarse) {
       altitudes.push_back(rows[static_cast<std::size_t>(index)].straight_rad * rad);
     }
-    place.views.emplace(place.sky_tables, place.height, altitudes);
+    place.views.emplace(setting.sky_tables, setting.height, altitudes);
   }
+  return std::make_shared<const DarkSkyPlace>(std::move(place));
 }
 
-bool same(const CityGlow& a, const CityGlow& b) {
-  return a.zenith == b.zenith && a.azimuth == b.azimuth && a.distance == b.distance;
-}
-
-std::shared_ptr<const DarkSkyPlace> place_of(DarkSkyPlace wanted, const PlannedDarkSky* before) {
-  if (before != nullptr) {
-    const DarkSkyPlace& known = *before->place;
-    if (known.medium == wanted.medium && known.sky_tables == wanted.sky_tables && known.height == wanted.height &&
-        known.bending == wanted.bending && known.horizon_sin_altitude == wanted.horizon_sin_altitude &&
-        same(known.glow, wanted.glow)) {
-      return before->place;
-    }
-  }
-  fill(wanted);
-  return std::make_shared<const DarkSkyPlace>(std::move(wanted));
-}
-
-/// A source, and what turns scattered sunlight into its own.
-struct ScatteredSource {
-  SpreadLight light;
-  Mat4 from_sunlight;
-};
-
-std::vector<ScatteredSource> scattered_sources(const PlannedDarkSky& planned, const LayerSet& layers) {
-  std::vector<ScatteredSource> sources;
+std::vector<SpreadSource> scattered_sources(const PlannedDarkSky& planned, const LayerSet& layers) {
+  std::vector<SpreadSource> sources;
   if (!planned.place->views) {
     return sources;
   }
   const Angle lowest = planned.place->views->lowest();
-  const DarkSky& dark = planned.sources;
-  const Spectrum& sunlight = solar_irradiance_1au();
   if (has(layers, Layer::airglow)) {
-    static const Mat4 matrix = response_matrix(sunlight, airglow_spectrum());
-    sources.push_back({spread_light(lowest, [&](const Vec3& at) { return airglow_above(dark, at.z).y; }), matrix});
+    sources.push_back(spread_airglow(planned.sources, lowest));
   }
   if (planned.zodiacal) {
-    static const Mat4 matrix = response_matrix(sunlight, zodiacal_spectrum(0.5));
-    sources.push_back({spread_light(lowest, [&](const Vec3& at) { return zodiacal_light(dark, at).y; }), matrix});
+    sources.push_back(spread_zodiacal_light(planned.sources, lowest));
   }
   if (planned.starlight) {
-    static const Mat4 matrix = response_matrix(sunlight, faint_starlight_spectrum());
-    sources.push_back(
-        {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; }),
-         matrix});
+    sources.push_back(spread_starlight(planned.sources, lowest));
   }
   return sources;
 }
@@ -191,20 +189,16 @@ std::vector<ScatteredSource> scattered_sources(const PlannedDarkSky& planned, co
 /// Scattered light and sky glow, at the coarse rows.
 std::vector<Vec4> smooth_light(const PlannedDarkSky& planned, const LayerSet& layers) {
   const DarkSkyPlace& place = *planned.place;
-  const std::vector<ScatteredSource> sources = scattered_sources(planned, layers);
-  static const Vec4 lamp = [] {
-    const Xyzs light = integrate_xyzs(lamp_spectrum());
-    return vector_of(light) / light.y;
-  }();
+  const std::vector<SpreadSource> sources = scattered_sources(planned, layers);
   const bool glows = has(layers, Layer::sky_glow) && !place.glow_pattern.empty();
-  const Vec4 glow = place.glow.zenith.to(candela_per_m2) * lamp;
+  const Vec4 glow = place.setting.glow.zenith.to(candela_per_m2) * sky_glow_color();
   const std::size_t rows = coarse_rows().size();
   std::vector<Vec4> light;
   for (std::size_t row = 0; row < rows; ++row) {
     for (int column = 0; column < dark_columns; ++column) {
       Vec4 sum(0.0);
-      for (const ScatteredSource& source : sources) {
-        sum += source.from_sunlight * place.views->luminance(row, azimuth_of(column), source.light);
+      for (const SpreadSource& source : sources) {
+        sum += source.scattered(*place.views, row, azimuth_of(column));
       }
       if (glows) {
         sum += place.glow_pattern[light.size()] * glow;
@@ -215,6 +209,13 @@ std::vector<Vec4> smooth_light(const PlannedDarkSky& planned, const LayerSet& la
   return light;
 }
 
+/// Whether both the map of the dark sky and that of the sky that is drawn reach the zenith.
+bool reach_the_zenith(const DarkSkyPlace& place) {
+  const f32::SkyTableFrame& air = place.setting.sky_tables->frame;
+  return place.frame.zenith_to_end == 0.0 &&
+         place.setting.height.to(kilometre) <= static_cast<double>(air.top_km - air.ground_km);
+}
+
 } // namespace
 
 bool draws_dark_sky(const LayerSet& layers) {
@@ -222,12 +223,15 @@ bool draws_dark_sky(const LayerSet& layers) {
          has(layers, Layer::sky_glow);
 }
 
+bool operator==(const DarkSkySetting& a, const DarkSkySetting& b) {
+  return a.medium == b.medium && a.sky_tables == b.sky_tables && a.extinction == b.extinction &&
+         a.refraction.model == b.refraction.model && a.refraction.conditions == b.refraction.conditions &&
+         a.height == b.height && a.horizon_sin_altitude == b.horizon_sin_altitude && a.glow == b.glow;
+}
+
 std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const LayerSet& layers,
-                                                    const DarkSkyOptions& options,
-                                                    const std::shared_ptr<const Medium>& medium,
-                                                    const std::shared_ptr<const SkyTables>& sky_tables,
-                                                    const std::optional<RefractionConditions>& bending,
-                                                    double horizon_sin_altitude, const PlannedDarkSky* before) {
+                                                    const DarkSkyOptions& options, DarkSkySetting setting,
+                                                    bool sky_is_drawn, const PlannedDarkSky* before) {
   if (!draws_dark_sky(layers)) {
     return nullptr;
   }
@@ -235,14 +239,9 @@ std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const L
   planned.sources = dark_sky(sky, options);
   planned.zodiacal = has(layers, Layer::zodiacal);
   planned.starlight = has(layers, Layer::milky_way);
-  DarkSkyPlace place;
-  place.medium = medium;
-  place.sky_tables = sky_tables;
-  place.height = height_in_air(sky.observer);
-  place.bending = bending;
-  place.horizon_sin_altitude = horizon_sin_altitude;
-  place.glow = options.glow;
-  planned.place = place_of(std::move(place), before);
+  const bool again = before != nullptr && before->place->setting == setting;
+  planned.place = again ? before->place : make_place(std::move(setting));
+  planned.air_with_sky = sky_is_drawn && reach_the_zenith(*planned.place);
 
   const std::vector<Vec4> smooth = smooth_light(planned, layers);
   const bool airglow = has(layers, Layer::airglow);

@@ -160,8 +160,17 @@ FramePlan plan_frame(const SkyState& sky, const View& view, std::span<const Star
   }
   plan.observer_height = sky.observer.height;
   plan.horizon_sin_altitude = std::sin(horizon_altitude(plan.refraction, sky.observer.height).to(rad));
-  plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, options.air.extinction ? medium : nullptr,
-                                options.air.sky_tables, bending_of(sky, options.air), plan.horizon_sin_altitude,
+  DarkSkySetting setting{options.air.extinction ? medium : nullptr,
+                         options.air.sky_tables,
+                         nullptr,
+                         plan.refraction,
+                         height_in_air(sky.observer),
+                         plan.horizon_sin_altitude,
+                         options.dark_sky.glow};
+  if (beyond_air && plan.extinction != nullptr) {
+    setting.extinction = {plan.extinction, &plan.extinction->table};
+  }
+  plan.dark_sky = plan_dark_sky(sky, options.layers, options.dark_sky, std::move(setting), !plan.lights.empty(),
                                 before != nullptr ? before->dark_sky.get() : nullptr);
   plan_discs(sky, view, moonlit, plan);
   return plan;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace vesper {
 namespace {
@@ -56,6 +57,28 @@ DiscGrid grid_of(const PlannedMoon& moon) {
   return grid;
 }
 
+/// Into what a small Moon's pixels are cut for its light.
+void cut(PlannedMoon& moon, const SkyState& sky) {
+  const Angle phase = sky.moon.phase_angle;
+  double lit_width = 1.0 + std::cos(phase.to(rad)); // in radii, at the most
+  const double lit_px = std::numbers::pi / 8.0 * lit_width * std::pow(moon.picture.width_px, 2);
+  constexpr double crescent_places = 8000.0; // leave 0.1 to 0.2 % of noise in its light
+  if (phase > 100.0 * deg) {
+    moon.picture.cells_of_radius = 20.0;
+    if (lit_px < crescent_places) {
+      const double lit_rad = std::numbers::pi - phase.to(rad) + f64::lunar_relief_reach;
+      moon.crescent_cells = std::sqrt(crescent_places / (2.0 * lit_rad));
+    }
+    return;
+  }
+  // What the Earth's shadow leaves in the sunlight is cut as its width asks for.
+  const double umbral = sky.lunar_eclipse.umbral_magnitude;
+  if (umbral > 0.0 && umbral < 1.0) {
+    lit_width = std::min(lit_width, 2.0 * (1.0 - umbral));
+  }
+  moon.picture.cells_of_radius = std::clamp(20.0 / std::max(lit_width, 1.0e-3), 12.0, 64.0);
+}
+
 /// The Sun's disc past the Moon.
 DiscGrid grid_of(const PlannedSun& sun, double drawn_sine) {
   DiscGrid grid(moon_cells_of_edge);
@@ -90,8 +113,7 @@ bool is_small(const PlannedDisc& disc) { return disc.width_px > 0.0 && disc.widt
 } // namespace
 
 std::shared_ptr<const MoonGlobe> make_moon_globe(MoonMap map) {
-  MoonSamples samples = sample_moon(map);
-  return std::make_shared<const MoonGlobe>(MoonGlobe{std::move(map), std::move(samples)});
+  return std::make_shared<const MoonGlobe>(moon_globe(std::move(map)));
 }
 
 std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& options) {
@@ -113,7 +135,8 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   const LunarEclipseState& eclipse = scene.sky.lunar_eclipse;
   const Mat3& fixed_from_icrs = scene.sky.moon.moon_fixed_from_icrs;
   PlannedMoon planned{{},
-                      moon_disc(scene.sky, globe->samples, illumination),
+                      0.0,
+                      moon_disc(scene.sky, *globe, illumination),
                       globe,
                       lunar_eclipse_table(eclipse, illumination.sunlit_moon, scene.sky.eclipse_air, scene.sky.tier),
                       earth_shadow(eclipse, fixed_from_icrs),
@@ -121,12 +144,7 @@ std::optional<PlannedMoon> plan_moon(const DiscScene& scene, const DiscOptions& 
   planned.picture.frame = disc_frame(circle, scene.view, scene.refraction);
   planned.picture.boxes = std::move(boxes);
   planned.picture.width_px = disc_diameter_px(circle, scene.view, scene.refraction);
-  // A crescent is cut as its width asks for, and so is what the Earth's shadow leaves in the sunlight.
-  double lit_width = 1.0 + std::cos(scene.sky.moon.phase_angle.to(rad));
-  if (eclipse.umbral_magnitude > 0.0 && eclipse.umbral_magnitude < 1.0) {
-    lit_width = std::min(lit_width, 2.0 * (1.0 - eclipse.umbral_magnitude));
-  }
-  planned.picture.cells_of_radius = std::clamp(20.0 / std::max(lit_width, 1.0e-3), 12.0, 64.0);
+  cut(planned, scene.sky);
   if (is_small(planned.picture)) {
     make_small(planned.picture, circle, grid_of(planned), vector_of(planned.disc.illuminance), scene);
   }

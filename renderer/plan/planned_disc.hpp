@@ -19,11 +19,7 @@
 
 namespace vesper {
 
-/// The Moon's surface, for the picture and for the sum of its light. Frames share it: it is copied to the GPU once.
-struct MoonGlobe {
-  MoonMap map;
-  MoonSamples samples;
-};
+/// Frames share a globe: it is copied to the GPU once.
 [[nodiscard]] std::shared_ptr<const MoonGlobe> make_moon_globe(MoonMap map);
 /// Of the embedded map, made at the first call.
 [[nodiscard]] std::shared_ptr<const MoonGlobe> default_moon_globe();
@@ -56,13 +52,15 @@ struct PlannedDisc {
   double cells_of_radius = 20.0;    ///< into which a small disc's radius is cut for its light, at least
 };
 /// Discs narrower than that are points, pixels. A disc of this width spreads its light as far as the sharpest star
-/// (smallest_psf_sigma in shaders/lib/star_psf.glsl).
+/// (psf_sigma in shaders/lib/star_psf.glsl).
 inline constexpr double narrowest_disc_px = 3.0;
 /// From there to here they are sprites, where the picture allows it.
 inline constexpr double widest_sprite_px = 16.0;
 
 struct PlannedMoon {
   PlannedDisc picture;
+  /// A crescent of few pixels: into how many a radian of the sphere is cut between limb and terminator.
+  double crescent_cells = 0.0;
   MoonDisc disc;
   std::shared_ptr<const MoonGlobe> globe;
   LunarEclipseTable eclipse;

@@ -21,11 +21,31 @@ constexpr double most_of_range = 0.7;
 /// Share of the contrast above the adaptation luminance that goes to luminances by their octaves, however few cells
 /// have them: so that small discs, too, have a surface.
 constexpr double even_share = 0.05;
+/// In the dark, contrast around the adaptation luminance and above it, that of the Milky Way, is raised by up to this
+/// share of its logarithm: a choice of taste, for a picture of the night is looked at in a room that is not as dark.
+/// All of it under the darkest sky, nothing under one a hundred times brighter.
+constexpr double more_contrast_by_night = 1.0;
+constexpr double darkest_sky_cd_m2 = 5.0e-4;
+constexpr double bright_night_cd_m2 = 5.0e-2;
+/// Matched steps show all days alike, as Weber's law has it. The brighter ones look brighter by this power of luminance
+/// from where cones obey it, so that noon is brighter than sunset: a choice of taste.
+constexpr double brighter_by_day = 0.06;
+constexpr double weber_from_cd_m2 = 80.0;
 constexpr double octaves_per_node = 1.0 / f64::tone_nodes_per_octave;
 
 double octave_of(std::size_t node) { return f64::tone_lowest_octave + octaves_per_node * static_cast<double>(node); }
 
 double in_dark(double luminance_cd_m2) { return std::max(luminance_cd_m2, f64::dark_background_cd_m2); }
+
+/// The share of the cones where a mesopic luminance is seen (CIE 191:2010).
+double cone_share(double seen_cd_m2) { return std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0); }
+
+/// Rise of the logarithm of what a display adds to its floor, over the scene's logarithm of luminance, at which all
+/// that leaves the display has the scene's contrast. At most 2: a room so bright that it would take more hides the
+/// night.
+double rise_of_equal_contrast(double added_cd_m2, double floor_cd_m2) {
+  return std::min(1.0 + floor_cd_m2 / added_cd_m2, 2.0);
+}
 
 /// What a viewer of the display can just tell apart there, who never adapts to less than a share of its white.
 double display_step(double shown_cd_m2, double adaptation_cd_m2) {
@@ -50,17 +70,27 @@ public:
     viewer_ = viewer_share_of_peak * (floor_ + range_);
     const double field = in_dark(adapted_to(histogram).cones.to(candela_per_m2));
     anchor_ = std::log2(field);
-    const double shown = field * std::exp2(stops) * display_step(0.0, viewer_) / eye_step_;
+    const double darkness = std::log(bright_night_cd_m2 / field) / std::log(bright_night_cd_m2 / darkest_sky_cd_m2);
+    more_contrast_ = more_contrast_by_night * std::clamp(darkness, 0.0, 1.0);
+    const double day = std::pow(std::max(field / weber_from_cd_m2, 1.0), brighter_by_day);
+    const double shown = field * day * std::exp2(stops) * display_step(0.0, viewer_) / eye_step_;
     anchor_shown_ = std::log2(std::min(shown, most_of_range * range_));
   }
 
   [[nodiscard]] std::vector<double> octaves() const {
     std::vector<double> shown(f64::tone_nodes);
-    std::size_t first = shown.size();
-    for (std::size_t node = shown.size(); node-- > 0;) {
-      const double octave = octave_of(node);
-      shown[node] = anchor_shown_ + octave - anchor_;
-      first = octave > anchor_ ? node : first;
+    std::size_t first = 0;
+    while (octave_of(first) <= anchor_) {
+      ++first;
+    }
+    // Down to black, which is never reached, by one power.
+    const double rise = rise_of_equal_contrast(std::exp2(anchor_shown_), floor_);
+    double from = anchor_;
+    double at = anchor_shown_;
+    for (std::size_t node = first; node-- > 0;) {
+      at -= rise * more_contrast(0.5 * (from + octave_of(node))) * (from - octave_of(node));
+      shown[node] = at;
+      from = octave_of(node);
     }
     const double top = brightest();
     const std::vector<double> share = shares(first, top);
@@ -78,6 +108,13 @@ public:
   }
 
 private:
+  /// Factor of contrast at log2 of a luminance: most half an octave above the adaptation luminance, 1 from half an
+  /// octave below it downwards and again some octaves above.
+  [[nodiscard]] double more_contrast(double octave) const {
+    const double x = std::max(octave - anchor_ + 0.5, 0.0);
+    return 1.0 + more_contrast_ * x * std::exp(0.5 - 0.5 * x * x);
+  }
+
   /// log2 of the brightest cell's luminance.
   [[nodiscard]] double brightest() const {
     std::size_t bin = histogram_.seen.size();
@@ -87,13 +124,25 @@ private:
     return f64::tone_lowest_octave + static_cast<double>(bin) / f64::tone_bins_per_octave;
   }
 
+  /// How often luminances of about a node's occur: weighted over an octave to both sides, because few cells would make
+  /// steps that show as rings around a light.
+  [[nodiscard]] double occurrence(std::size_t node) const {
+    constexpr int nodes_per_bin = f64::tone_nodes_per_octave / f64::tone_bins_per_octave;
+    constexpr int reach = f64::tone_bins_per_octave;
+    const int bin = (static_cast<int>(node) - 1) / nodes_per_bin;
+    double sum = 0.0;
+    for (int i = std::max(bin - reach, 0); i <= std::min(bin + reach, f64::tone_bins - 1); ++i) {
+      sum += histogram_.seen.at(static_cast<std::size_t>(i)) * (1.0 - std::abs(i - bin) / (reach + 1.0));
+    }
+    return sum;
+  }
+
   /// How much of the range above the anchor each step would have, per octave.
   [[nodiscard]] std::vector<double> shares(std::size_t first, double top) const {
     std::vector<double> share(f64::tone_nodes, 0.0);
-    constexpr int steps_per_bin = f64::tone_nodes_per_octave / f64::tone_bins_per_octave;
     double sum = 0.0;
     for (std::size_t node = first; node < share.size(); ++node) {
-      share[node] = histogram_.seen.at(std::min((node - 1) / steps_per_bin, histogram_.seen.size() - 1));
+      share[node] = occurrence(node);
       sum += share[node] * octaves_per_node;
     }
     for (std::size_t node = first; node < share.size(); ++node) {
@@ -110,14 +159,11 @@ private:
     double at = anchor_shown_;
     double end = at;
     for (std::size_t node = first; node < shown.size(); ++node) {
-      const double luminance = std::exp2(from);
-      const double display = std::exp2(at);
-      const double rise = f64::steepest_rise(display_step(floor_ + display, viewer_) / display,
-                                             std::max(f64::just_noticeable_cd_m2(luminance), eye_step_) / luminance);
+      const double rise = more_contrast(0.5 * (from + octave_of(node))) * rise_of_equal_contrast(std::exp2(at), floor_);
+      // Beyond the brightest cell, for single pixels and glare, it nears the display's white.
       const bool occurs = from < top;
-      // Beyond the brightest, so that the curve still rises for a single pixel.
-      constexpr double rest = 0.02;
-      at += (octave_of(node) - from) * std::min(rise, occurs ? octaves * share[node] : rest);
+      const double room = std::max(1.0 - std::exp2(at) / range_, 0.0);
+      at += (octave_of(node) - from) * (occurs ? std::min(rise, octaves * share[node]) : room * rise);
       if (occurs) {
         end = at;
       }
@@ -132,6 +178,7 @@ private:
   double range_;
   double eye_step_;
   double viewer_ = 0.0;
+  double more_contrast_ = 0.0;
   double anchor_ = 0.0;
   double anchor_shown_ = 0.0;
 };
@@ -177,7 +224,7 @@ double point_threshold_lux(double background_cd_m2, const AdaptationState& state
 
 /// A mesopic luminance as threshold_illuminance_lux counts it.
 double as_background(double seen_cd_m2) {
-  const double m = std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0);
+  const double m = cone_share(seen_cd_m2);
   // S of light of that mesopic luminance and a usual star's S/P.
   const double rods = (1.0 - m) * f64::rods_at_555_nm;
   const double photopic = seen_cd_m2 * (m + rods) / (m + rods * f64::usual_star_sp_ratio);

@@ -10,8 +10,8 @@
 namespace vesper {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"perspective", "fisheye", "stereographic", "equirectangular",
-                                                "cubemap"};
+constexpr std::array<std::string_view, 5> projections{"perspective", "fisheye", "stereographic", "equirectangular",
+                                                      "cubemap"};
 constexpr int largest_side = 16384;
 
 void require(bool holds, const std::string& message, const std::string& remedy) {
@@ -22,14 +22,14 @@ void require(bool holds, const std::string& message, const std::string& remedy) 
 
 } // namespace
 
-std::span<const std::string_view> projection_names() { return names; }
+std::span<const std::string_view> projection_names() { return projections; }
 
 std::optional<Projection> projection_from_name(std::string_view name) {
-  const auto* found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
+  const auto* found = std::find(projections.begin(), projections.end(), name);
+  if (found == projections.end()) {
     return std::nullopt;
   }
-  return static_cast<Projection>(found - names.begin());
+  return static_cast<Projection>(found - projections.begin());
 }
 
 Angle largest_fov(Projection projection) {
@@ -50,7 +50,7 @@ void validate(const View& view) {
   const bool sphere = view.projection == Projection::equirectangular || view.projection == Projection::cubemap;
   require(sphere || (std::isfinite(fov) && fov > 0.0 && inside),
           fmt::format("fov {} degrees is outside the range of the {} projection", fov,
-                      names.at(static_cast<std::size_t>(view.projection))),
+                      projections.at(static_cast<std::size_t>(view.projection))),
           fmt::format("Give more than 0 and {} {} degrees",
                       view.projection == Projection::fisheye ? "at most" : "below", limit));
   require(std::abs(view.altitude.to(deg)) <= 90.0,

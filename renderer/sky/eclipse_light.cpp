@@ -2,6 +2,7 @@
 
 #include "vesper/astro/constants.hpp"
 #include "vesper/base/gauss_legendre.hpp"
+#include "vesper/base/sine.hpp"
 #include "vesper/light/corona.hpp"
 #include "vesper/light/response_functions.hpp"
 #include "vesper/light/seen_rings.hpp"
@@ -85,7 +86,7 @@ LimbSeries sunlight_seen(double sun, double other, double separation, const Limb
     seen.at(k) = within(rings.inside_until, powers[k]) + 1.0 - within(rings.outside_from, powers[k]);
   }
   for (const SeenRings::Node& node : rings.crossed) {
-    const double mu = std::sqrt(std::max(0.0, (1.0 - node.radius) * (1.0 + node.radius)));
+    const double mu = sine_of(node.radius);
     const double step = std::pow(mu, powers.step);
     double brightness = std::pow(mu, powers.lowest);
     for (std::size_t k = 0; k < limb_terms; ++k) {

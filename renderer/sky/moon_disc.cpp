@@ -38,6 +38,16 @@ f64::LunarLaw scaled_law(const f64::LunarLaw& law, double factor) {
   return {factor * law.seeliger, factor * law.lambert};
 }
 
+/// Whether so little of the surface is lit that the samples of the whole globe are too few; at half a turn it has no
+/// horns.
+bool is_thin(Angle phase_angle) { return phase_angle > 125.0 * deg && phase_angle < 179.99 * deg; }
+
+double sum_sunlight(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting) {
+  double sum = 0.0;
+  for_sunlit(samples, observer, lighting, [&](const MoonSample&, double light) { sum += light; });
+  return sum;
+}
+
 /// Factor for a law whose disc gives `drawn` lux instead of `wanted`.
 double gain_of(double wanted, double drawn) {
   if (wanted <= 0.0) {
@@ -48,7 +58,7 @@ double gain_of(double wanted, double drawn) {
 
 } // namespace
 
-MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumination moon) {
+MoonDisc moon_disc(const SkyState& sky, const MoonGlobe& globe, MoonIllumination moon) {
   const LunarSurface surface = sky.tier == Tier::cheap ? LunarSurface::cheap : LunarSurface::standard;
   const Length distance = sky.moon.place.distance;
   const Angle radius = std::asin(moon_mean_radius / distance) * rad;
@@ -67,17 +77,22 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumina
   const Vec3& direction = sky.moon.place.direction_horizon;
   const Mat3 fixed_from_horizon = axes_from_horizon(sky, to_observer);
   const Mat3 fixed_from_disc = fixed_from_horizon * horizon_from_disc(direction);
-  MoonLightSums sums = sum_moon_light(samples, distance / moon_mean_radius * to_observer, lighting, fixed_from_disc);
+  const Vec3 observer = distance / moon_mean_radius * to_observer;
+  MoonLightSums sums = sum_moon_light(globe.samples, observer, lighting, fixed_from_disc);
+  const double sunlit = is_thin(sky.moon.phase_angle)
+                            ? sum_sunlight(sample_crescent(globe.map, to_observer, lighting.to_sun), observer, lighting)
+                            : sums.sun;
   const double sun_wanted = integrate_xyzs(moon.sunlit_moon).y;
-  const double sun_drawn = sums.sun * lighting.sunlit.y;
+  const double sun_drawn = sunlit * lighting.sunlit.y;
   const double earth_wanted = integrate_xyzs(moon.earthlit_moon).y;
   const double earth_drawn = sums.earth * lighting.earthlit.y;
   const double sun_gain = gain_of(sun_wanted, sun_drawn);
   lighting.sun_law = scaled_law(lighting.sun_law, sun_gain);
   const double earth_gain = gain_of(earth_wanted, earth_drawn);
   lighting.earth_law = scaled_law(lighting.earth_law, earth_gain);
+  const double of_cells = sums.sun > 0.0 ? sun_gain * sunlit / sums.sun : 0.0;
   for (MoonCell& cell : sums.cells) {
-    cell.sun *= static_cast<float>(sun_gain);
+    cell.sun *= static_cast<float>(of_cells);
     cell.earth *= static_cast<float>(earth_gain);
   }
   if (sun_gain == largest_gain) {
@@ -100,8 +115,8 @@ MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumina
           brightness.mean_luminance};
 }
 
-MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples) {
-  return moon_disc(sky, samples, moon_illumination(sky));
+MoonDisc moon_disc(const SkyState& sky, const MoonGlobe& globe) {
+  return moon_disc(sky, globe, moon_illumination(sky));
 }
 
 } // namespace vesper

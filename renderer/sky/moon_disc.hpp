@@ -28,13 +28,13 @@ struct MoonDisc {
   Luminance mean_luminance; ///< over the whole disc, lit or not, above the air
 };
 
-/// \param samples of the map that is drawn
+/// \param globe that is drawn
 /// \param moon moon_illumination() of the sky
 /// With Tier::cheap the surface is Hapke, Lommel and Seeliger's and earthshine Mueller's; else they follow measurements
 /// (lunar_surface.hpp, earthshine.hpp).
 /// Within 12 degrees of new Moon, where the model's light falls faster than that of real relief, the disc is drawn with
 /// at most 4 times its law's light, and is `irradiance` what it then gives.
-[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples, MoonIllumination moon);
-[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonSamples& samples);
+[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonGlobe& globe, MoonIllumination moon);
+[[nodiscard]] MoonDisc moon_disc(const SkyState& sky, const MoonGlobe& globe);
 
 } // namespace vesper

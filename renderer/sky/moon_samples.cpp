@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace vesper {
 namespace {
@@ -28,6 +29,13 @@ f64::vec4 between_texels(const MoonMap& map, int face, double right, double up) 
   const double next_y = std::min(top + 1.0, map.face_size - 1.0);
   return f64::mix(f64::mix(texel(left, top), texel(next_x, top), x - left),
                   f64::mix(texel(left, next_y), texel(next_x, next_y), x - left), y - top);
+}
+
+/// \param at on the unit sphere
+MoonSample sample_at(const MoonMap& map, int face, const Vec2& place, const Vec3& at, double solid_angle) {
+  const f64::vec4 texel = between_texels(map, face, place.x, place.y);
+  return {f32::vec3(at), f32::vec3(glm::normalize(f64::vec3(texel.y, texel.z, texel.w))), static_cast<float>(texel.x),
+          static_cast<float>(solid_angle)};
 }
 
 void hold_sizes(const MoonMap& map, int places) {
@@ -74,12 +82,44 @@ MoonSamples sample_moon(const MoonMap& map, int places) {
       const double up = along_edge(0.5698402909980532, i + 1);
       const f64::vec3 place = f64::cube_direction(face, {right, up});
       const double radius = glm::length(place);
-      const f64::vec4 texel = between_texels(map, face, right, up);
-      samples.push_back({f32::vec3(place / radius), f32::vec3(glm::normalize(f64::vec3(texel.y, texel.z, texel.w))),
-                         static_cast<float>(texel.x), static_cast<float>(4.0 / (places * radius * radius * radius))});
+      samples.push_back(sample_at(map, face, {right, up}, place / radius, 4.0 / (places * radius * radius * radius)));
     }
   }
   return samples;
+}
+
+MoonSamples sample_crescent(const MoonMap& map, const Vec3& to_observer, const Vec3& to_sun) {
+  hold_sizes(map, 1);
+  constexpr double places = 16384.0;
+  using std::numbers::pi;
+  // Longitudes from the observer towards the Sun, about the axis through the horns.
+  const Vec3 horn = glm::normalize(glm::cross(to_observer, to_sun));
+  const Vec3 aside = glm::cross(horn, to_observer);
+  const double terminator = std::atan2(glm::dot(to_sun, aside), glm::dot(to_sun, to_observer)) - 0.5 * pi;
+  const auto reach = static_cast<double>(f32::lunar_relief_reach);
+  const double width = 0.5 * pi - terminator + reach;
+  const int rows = static_cast<int>(std::ceil(std::sqrt(2.0 * places / width)));
+  MoonSamples samples;
+  for (int row = 0; row < rows; ++row) {
+    const double up = (2 * row + 1.0) / rows - 1.0;
+    const double across = std::sqrt(1.0 - up * up);
+    const double first = std::max(terminator - std::asin(std::min(reach / across, 1.0)), -0.5 * pi);
+    const double span = 0.5 * pi - first;
+    const int columns = static_cast<int>(std::ceil(span * rows / 2.0));
+    for (int column = 0; column < columns; ++column) {
+      const double longitude = first + span * (column + 0.5) / columns;
+      const Vec3 at = up * horn + across * (std::cos(longitude) * to_observer + std::sin(longitude) * aside);
+      const int face = f64::cube_face(at, 0);
+      const Vec3 on_face = glm::transpose(f64::cube_face_axes(face)) * at;
+      samples.push_back(sample_at(map, face, Vec2(on_face) / on_face.z, at, 2.0 / rows * span / columns));
+    }
+  }
+  return samples;
+}
+
+MoonGlobe moon_globe(MoonMap map, int places) {
+  MoonSamples samples = sample_moon(map, places);
+  return {std::move(map), std::move(samples)};
 }
 
 MoonLightSums sum_moon_light(const MoonSamples& samples, const Vec3& observer, const f64::MoonLighting& lighting,

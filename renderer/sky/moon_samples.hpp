@@ -20,10 +20,23 @@ struct MoonSample {
 
 using MoonSamples = std::vector<MoonSample>;
 
-/// \param places on each face of the cube, at least 1. With 16384 the light of a disc is found within 0.05 % to 150
-///        degrees of phase and 0.5 % to 172.
+/// \param places on each face of the cube, at least 1. With 16384 the light of a disc is found within 0.15 % to 140
+///        degrees of phase; crescents have samples of their own.
 /// Throws Error(argument) unless the map has six square faces and there is a place.
 [[nodiscard]] MoonSamples sample_moon(const MoonMap& map, int places = 16384);
+
+/// Of the lune between limb and terminator alone, with the relief beyond it that the Sun lights: as fine as the texels
+/// of a map of 256 a face where a crescent is thin, so that its light is found within 0.1 % to 172 degrees of phase.
+/// \param map that sample_moon takes
+/// \param to_observer unit vectors of the Moon's axes, at least a right angle and less than a half turn apart
+[[nodiscard]] MoonSamples sample_crescent(const MoonMap& map, const Vec3& to_observer, const Vec3& to_sun);
+
+/// The Moon's surface, for the picture and for the sum of its light.
+struct MoonGlobe {
+  MoonMap map;
+  MoonSamples samples;
+};
+[[nodiscard]] MoonGlobe moon_globe(MoonMap map, int places = 16384);
 
 /// One of the equal squares of a grid about the disc: the mean over its samples, per lux as below.
 struct MoonCell {

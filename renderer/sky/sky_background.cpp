@@ -2,10 +2,8 @@
 
 #include "vesper/astro/spherical.hpp"
 #include "vesper/atmosphere/spread_light.hpp"
-#include "vesper/light/night_light.hpp"
 #include "vesper/light/response_functions.hpp"
-#include "vesper/light/response_matrix.hpp"
-#include "vesper/light/sunlight.hpp"
+#include "vesper/sky/dark_sky_sources.hpp"
 #include "vesper/sky/sky_light.hpp"
 
 #include <algorithm>
@@ -15,45 +13,29 @@
 namespace vesper {
 namespace {
 
-/// A source all over the sky, and what turns scattered sunlight into its own.
-struct SpreadSource {
-  SpreadLight light;
-  Mat4 from_sunlight;
-};
-
 /// The dark sky at one place and instant.
 class DarkBackground {
 public:
   DarkBackground(const DarkSky& dark, const Medium& medium, const std::shared_ptr<const SkyTables>& tables,
                  Length height, const std::vector<Angle>& altitudes)
-      : dark_(dark), air_(medium, height, std::nullopt), scattered_(tables, height, altitudes) {
-    const Spectrum& sunlight = solar_irradiance_1au();
-    static const Mat4 to_airglow = response_matrix(sunlight, airglow_spectrum());
-    static const Mat4 to_zodiacal = response_matrix(sunlight, zodiacal_spectrum(0.5));
-    static const Mat4 to_starlight = response_matrix(sunlight, faint_starlight_spectrum());
-    const Angle lowest = scattered_.lowest();
-    airglow_ = {spread_light(lowest, [&](const Vec3& at) { return airglow_above(dark, at.z).y; }), to_airglow};
-    zodiacal_ = {spread_light(lowest, [&](const Vec3& at) { return zodiacal_light(dark, at).y; }), to_zodiacal};
-    starlight_ = {spread_light(lowest, [&](const Vec3& at) { return faint_starlight(dark, at, spread_light_width).y; }),
-                  to_starlight};
+      : dark_(dark), air_(medium, height, std::nullopt), scattered_(tables, height, altitudes),
+        airglow_(spread_airglow(dark, scattered_.lowest())),
+        zodiacal_(spread_zodiacal_light(dark, scattered_.lowest())),
+        starlight_(spread_starlight(dark, scattered_.lowest())) {
     if (dark.glow.zenith > Luminance()) {
       glow_.emplace(medium, height, dark.glow.distance);
-      const Xyzs lamp = integrate_xyzs(lamp_spectrum());
-      glow_zenith_ = dark.glow.zenith.to(candela_per_m2) * vector_of(lamp) / lamp.y;
     }
   }
 
   void add_to(SkyBackground& sum, std::size_t view, const Vec3& direction, Angle azimuth) const {
     const double sine = direction.z;
-    const auto scattered = [&](const SpreadSource& source) {
-      return source.from_sunlight * scattered_.luminance(view, azimuth, source.light);
-    };
-    sum.airglow = air_.airglow(dark_, sine) + scattered(airglow_);
-    sum.zodiacal = air_.zodiacal_share(sine) * zodiacal_light(dark_, direction) + scattered(zodiacal_);
-    sum.starlight =
-        air_.starlight_share(sine) * faint_starlight(dark_, direction, starlight_field) + scattered(starlight_);
+    sum.airglow = air_.airglow(dark_, sine) + airglow_.scattered(scattered_, view, azimuth);
+    sum.zodiacal =
+        air_.zodiacal_share(sine) * zodiacal_light(dark_, direction) + zodiacal_.scattered(scattered_, view, azimuth);
+    sum.starlight = air_.starlight_share(sine) * faint_starlight(dark_, direction, starlight_field) +
+                    starlight_.scattered(scattered_, view, azimuth);
     if (glow_) {
-      sum.sky_glow = glow_zenith_ *
+      sum.sky_glow = dark_.glow.zenith.to(candela_per_m2) * sky_glow_color() *
                      (dark_.glow.azimuth ? glow_->toward(sine, azimuth - *dark_.glow.azimuth) : glow_->around(sine));
     }
   }
@@ -64,7 +46,6 @@ private:
   SpreadLightViews scattered_;
   SpreadSource airglow_, zodiacal_, starlight_;
   std::optional<CityGlowPattern> glow_;
-  Vec4 glow_zenith_{};
 };
 
 } // namespace

@@ -147,18 +147,6 @@ Vec4 zodiacal_color(const Vec3& direction) {
   return glm::mix(at_30, at_90, std::clamp((elongation_deg - 30.0) / 60.0, 0.0, 1.0));
 }
 
-ZodiacalMap make_zodiacal_map() {
-  ZodiacalMap map;
-  for (int row = 0; row < ZodiacalMap::rows; ++row) {
-    for (int column = 0; column < ZodiacalMap::columns; ++column) {
-      const Vec3 direction = f64::zodiacal_direction({static_cast<double>(column) / (ZodiacalMap::columns - 1),
-                                                      static_cast<double>(row) / (ZodiacalMap::rows - 1)});
-      map.texels.push_back(glm::log2(zodiacal_color(direction)) + Vec4(log_ratio(direction) / std::numbers::ln2));
-    }
-  }
-  return map;
-}
-
 } // namespace
 
 double zodiacal_radiance_500nm(const Vec3& direction) {
@@ -170,7 +158,17 @@ Vec4 zodiacal_luminance(const Vec3& direction) {
 }
 
 const ZodiacalMap& zodiacal_map() {
-  static const ZodiacalMap map = make_zodiacal_map();
+  static const ZodiacalMap map = [] {
+    ZodiacalMap made;
+    for (int row = 0; row < ZodiacalMap::rows; ++row) {
+      for (int column = 0; column < ZodiacalMap::columns; ++column) {
+        made.texels.push_back(
+            zodiacal_luminance(f64::zodiacal_direction({static_cast<double>(column) / (ZodiacalMap::columns - 1),
+                                                        static_cast<double>(row) / (ZodiacalMap::rows - 1)})));
+      }
+    }
+    return made;
+  }();
   return map;
 }
 

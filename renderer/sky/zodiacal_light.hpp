@@ -20,11 +20,11 @@ namespace vesper {
 /// X, Y, Z and S, cd/m2, in the colour of the elongation (zodiacal_spectrum in night_light.hpp).
 [[nodiscard]] Vec4 zodiacal_luminance(const Vec3& direction);
 
-/// The same as texels for f64::zodiacal_place: log2 of X, Y, Z and S less f64::log2_dust_law, row by row. Linear
-/// between texels it keeps within 1.5 % of zodiacal_luminance, and within 0.5 % more than 15 degrees from the Sun.
+/// The same as texels for f64::zodiacal_place, row by row. Linear between texels it keeps within 1 % of
+/// zodiacal_luminance, and within 0.3 % more than 15 degrees from the Sun.
 struct ZodiacalMap {
-  static constexpr int columns = 181;
-  static constexpr int rows = 91;
+  static constexpr int columns = 97;
+  static constexpr int rows = 512;
   std::vector<Vec4> texels;
 };
 [[nodiscard]] const ZodiacalMap& zodiacal_map();

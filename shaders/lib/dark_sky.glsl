@@ -25,20 +25,24 @@ FN vec2 airglow_paths(Real sin_altitude, Real height_km, Real ground_km) {
 
 // Zodiacal light. Directions have x towards the Sun in the ecliptic and z to the ecliptic's north pole.
 
-// Places in its map, 0 to 1 along each side: of the ecliptic longitude from the Sun, without its sign, and of the latitude,
-// likewise. Both are even along the sides of a square, for which no angle need be found; the kink between two sides, at a
-// longitude of 90 degrees, falls on the middle of the map.
+// Places in its map, 0 to 1 along each side: about the Sun, from the ecliptic to its poles, and away from the Sun, from it
+// to its opposite, near both of which the map is fine. Both without the direction's sign, which the light does not have.
 FN vec2 zodiacal_place(vec3 direction) {
   vec3 size = abs(direction);
-  Real level = length(vec2(direction));
-  Real along = direction.x / max(size.x + size.y, Real(1.0e-12));
-  return vec2(Real(0.5) - Real(0.5) * along, size.z / (size.z + level));
+  Real from_axis = sqrt(length(vec2(size.y, size.z)));
+  Real to_nearest = from_axis / (from_axis + sqrt(Real(1.0) + size.x));
+  return vec2(size.z / max(size.y + size.z, Real(1.0e-12)),
+              direction.x > Real(0.0) ? to_nearest : Real(1.0) - to_nearest);
 }
 
 FN vec3 zodiacal_direction(vec2 place) {
-  Real along = Real(1.0) - Real(2.0) * place.x;
-  vec2 level = (Real(1.0) - place.y) * normalize(vec2(along, Real(1.0) - abs(along)));
-  return normalize(vec3(level.x, level.y, place.y));
+  bool sunward = place.y < Real(0.5);
+  Real to_nearest = sunward ? place.y : Real(1.0) - place.y;
+  Real ratio = to_nearest / (Real(1.0) - to_nearest);
+  Real half_tangent = ratio * ratio; // of half the angle to the Sun or to its opposite
+  Real along = (Real(1.0) - half_tangent) * (Real(1.0) + half_tangent);
+  vec2 across = Real(2.0) * half_tangent * normalize(vec2(Real(1.0) - place.x, place.x));
+  return vec3(sunward ? along : -along, across.x, across.y) / (Real(1.0) + half_tangent * half_tangent);
 }
 
 FN Real sun_elongation(vec3 direction) {

@@ -78,6 +78,64 @@ FN vec3 disc_normal(vec2 place, Real sine) {
   return vec3(across * place.x, across * place.y, -sine * square - height * cosine);
 }
 
+// Whether light stands above a place's horizon. above: it would at the limb; below_limb: square of the place less 1;
+// z2: square of the light's depth behind the disc.
+FN bool disc_is_lit(Real above, Real below_limb, Real z2) {
+  return above > Real(0.0) && above * above > -z2 * below_limb;
+}
+
+// What a straight line of places shows of the sphere is an arc: a place on it is (middle + radius sin(angle)) times the
+// line's length from its beginning.
+struct DiscArc {
+  Real middle;
+  Real radius;
+  Real start; // angles
+  Real end;
+};
+
+// The part of that arc that a light behind the disc may reach, nothing unless start < end. Between limb and terminator
+// it is the whole; where a line cuts both horns of the crescent, what is between them too.
+// to_light: unit vector along the axes of disc_sight, z not negative: a crescent, or half a disc
+// reach: sine of the depth below the sphere's own horizon that light gets to
+FN DiscArc disc_lit_arc(vec2 from, vec2 line, vec3 to_light, Real reach) {
+  DiscArc arc;
+  arc.start = Real(0.0);
+  arc.end = Real(0.0);
+  Real square = dot(line, line);
+  Real half_slope = dot(from, line);
+  Real below_limb = dot(from, from) - Real(1.0);
+  arc.middle = -half_slope / square;
+  arc.radius = sqrt(max(half_slope * half_slope - square * below_limb, Real(0.0))) / square;
+  Real low = max(arc.middle - arc.radius, Real(0.0));
+  Real high = min(arc.middle + arc.radius, Real(1.0));
+  if (low >= high) {
+    return arc;
+  }
+  // Light stands as high as start + t slope, less the share of z: a convex function, so that what is dark is one piece.
+  Real start = reach + dot(vec2(to_light.x, to_light.y), from);
+  Real slope = dot(vec2(to_light.x, to_light.y), line);
+  Real z2 = to_light.z * to_light.z;
+  bool low_lit = disc_is_lit(start + low * slope, below_limb + low * (Real(2.0) * half_slope + low * square), z2);
+  bool high_lit = disc_is_lit(start + high * slope, below_limb + high * (Real(2.0) * half_slope + high * square), z2);
+  if (!low_lit && !high_lit) {
+    return arc;
+  }
+  if (low_lit != high_lit) {
+    Real a = slope * slope + z2 * square;
+    Real b = start * slope + z2 * half_slope;
+    Real root = sqrt(max(b * b - a * (start * start + z2 * below_limb), Real(0.0)));
+    Real edge = clamp((high_lit ? root - b : -root - b) / a, low, high);
+    low = high_lit ? edge : low;
+    high = high_lit ? high : edge;
+  }
+  low -= arc.middle;
+  high -= arc.middle;
+  // GLSL's arc sine may be off by 1e-3.
+  arc.start = atan(low, sqrt(max((arc.radius - low) * (arc.radius + low), Real(0.0))));
+  arc.end = atan(high, sqrt(max((arc.radius - high) * (arc.radius + high), Real(0.0))));
+  return arc;
+}
+
 // By how much a larger picture is darker, so that its light stays the same: exact at every place.
 FN Real disc_dimming(vec2 place, Real sine, Real scale) {
   Real square = sine * sine * dot(place, place);

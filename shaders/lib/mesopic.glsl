@@ -6,10 +6,10 @@ CONSTANT Real rods_at_555_nm = Real(0.40200118);
 // Scotopic over photopic light of a star of B-V = 0.7, which Crumey 2014 (section 3.1) takes as the usual star.
 CONSTANT Real usual_star_sp_ratio = Real(2.297);
 
-// XYZ of what rods see, at 1 cd/m2: the bluish grey (1.05, 0.97, 1.27) in linear sRGB of Krawczyk, Myszkowski and
-// Seidel 2005 ("Perceptual effects in real-time tone mapping"), chromaticity 0.300, 0.300. Paintings of moonlit scenes
-// are bluer, 0.25, 0.25 (Jensen et al. 2000).
-CONSTANT vec3 night_hue = vec3(Real(1.00040), Real(1.0), Real(1.33141));
+// XYZ of what rods see, at 1 cd/m2: chromaticity 0.2750, 0.2815. Its hue is that of paintings of moonlit scenes, whose mean
+// is 0.25, 0.25 (Jensen et al. 2000); its strength, 0.6 of the way there from white, is a choice of taste: at full strength
+// the Milky Way glares like neon. Krawczyk, Myszkowski and Seidel 2005 have 0.300, 0.300, fainter and rather purple.
+CONSTANT vec3 night_hue = vec3(Real(0.97691), Real(1.0), Real(1.57549));
 
 FN Real log10_of(Real x) { return Real(0.43429448190325182) * log(x); }
 

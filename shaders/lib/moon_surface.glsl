@@ -148,13 +148,25 @@ struct MoonLighting {
 
 CONSTANT Real earth_radius_from_moon_rad = Real(0.0166);
 
-// Luminance X, Y, Z, S in cd/m2 of a place.
+// Luminance X, Y, Z, S in cd/m2 of a place by the Sun and by the Earth.
 // albedo: the map's (1 for a Lambert plane at normal incidence). eclipse_xyzs: shares of sunlight that the Earth leaves.
+FN vec4 moon_sunlight(Real albedo, vec3 sphere_normal, vec3 relief_normal, vec3 to_observer, MoonLighting lighting,
+                      vec4 eclipse_xyzs) {
+  return albedo / pi *
+         lunar_relief_reflectance(sphere_normal, relief_normal, to_observer, lighting.to_sun, lighting.sun_radius_rad,
+                                  lighting.sun_law) *
+         lighting.sunlit * eclipse_xyzs;
+}
+FN vec4 moon_earthlight(Real albedo, vec3 sphere_normal, vec3 relief_normal, vec3 to_observer, MoonLighting lighting) {
+  return albedo / pi *
+         lunar_relief_reflectance(sphere_normal, relief_normal, to_observer, lighting.to_earth,
+                                  earth_radius_from_moon_rad, lighting.earth_law) *
+         lighting.earthlit;
+}
+
+// Both.
 FN vec4 moon_luminance(Real albedo, vec3 sphere_normal, vec3 relief_normal, vec3 to_observer, MoonLighting lighting,
                        vec4 eclipse_xyzs) {
-  Real sun = lunar_relief_reflectance(sphere_normal, relief_normal, to_observer, lighting.to_sun,
-                                      lighting.sun_radius_rad, lighting.sun_law);
-  Real earth = lunar_relief_reflectance(sphere_normal, relief_normal, to_observer, lighting.to_earth,
-                                        earth_radius_from_moon_rad, lighting.earth_law);
-  return albedo / pi * (sun * lighting.sunlit * eclipse_xyzs + earth * lighting.earthlit);
+  return moon_sunlight(albedo, sphere_normal, relief_normal, to_observer, lighting, eclipse_xyzs) +
+         moon_earthlight(albedo, sphere_normal, relief_normal, to_observer, lighting);
 }

@@ -50,6 +50,13 @@ FN Real sky_map_altitude_rad(Real row, bool below, SkyMapFrame frame) {
   return below ? from_end - Real(1.5707963267948966) : Real(1.5707963267948966) - from_end;
 }
 
+// Where the texels of a map or table with `rows` below the horizon and above it hold a row: those below come first, the
+// horizon lies between.
+FN Real sky_map_row_texel(Real row, bool below, vec2 rows) {
+  return rows.x + (below ? -Real(0.5) - row * (rows.x - Real(1.0))
+                         : Real(0.5) + min(row, Real(1.0)) * (rows.y - Real(1.0)));
+}
+
 // Where the map's texels hold a direction, which lies `depth` below the horizon's sine of altitude: rows of the half that
 // meets the ground come first, the halves meet at the horizon, and a pixel there has its share of both. `cover`: share of
 // the pixel below the horizon, less than 0 or more than 1 away from it. `row` tells of views above the limb.
@@ -57,8 +64,7 @@ FN vec2 sky_map_texel(vec3 direction, Real depth, Real cover, vec2 rows, Real co
                       OUT(Real) row) {
   bool below = depth > Real(0.0);
   row = sky_map_row(direction.z, below, frame);
-  Real place = rows.x + (below ? -Real(0.5) - row * (rows.x - Real(1.0))
-                               : Real(0.5) + min(row, Real(1.0)) * (rows.y - Real(1.0)));
+  Real place = sky_map_row_texel(row, below, rows);
   place = cover > Real(0.0) && cover < Real(1.0) ? rows.x + Real(0.5) - cover : place;
   return vec2(Real(0.5) + sky_map_column(vec2(direction)) * (columns - Real(1.0)), place);
 }

@@ -28,17 +28,9 @@ FN Real magnitude_of(Real illuminance_lux) {
   return Real(-2.5 / 2.302585092994046) * log(max(illuminance_lux, Real(1.0e-30)) / zero_magnitude_lux);
 }
 
-// Standard deviation of the smallest spread, pixels: the brightest pixel then changes by no more than a factor of 1.5
-// while a star moves across the grid.
-CONSTANT Real smallest_psf_sigma = Real(0.8);
-CONSTANT Real largest_psf_sigma = Real(2.2);
-
-// Standard deviation by brightness, pixels. Tuned by eye so that the constellations read as on a printed chart: each
-// magnitude brighter than V = 4 adds 0.25 pixels.
-FN Real psf_sigma(Real illuminance_lux) {
-  Real excess = Real(4.0) - magnitude_of(illuminance_lux);
-  return clamp(smallest_psf_sigma + Real(0.25) * max(excess, Real(0.0)), smallest_psf_sigma, largest_psf_sigma);
-}
+// Standard deviation of the spread, pixels: the brightest pixel then changes by no more than a factor of 1.5 while a star
+// moves across the grid. All stars have it; bright ones look larger once they saturate a display or a film.
+CONSTANT Real psf_sigma = Real(0.8);
 
 // Where the spread is cut, in standard deviations: at the same luminance for all stars, that of the peak of one of
 // V = 10, so that bright ones show no edge; between 3.3 (which leaves out 0.1 % an axis) and 5.

@@ -33,8 +33,8 @@ FN vec4 sun_disc_luminance(Real r, SunShading sun) {
   return sun.lowest_power > Real(0.0) ? pow(mu, sun.lowest_power) * sum : sum;
 }
 
-// Baumbach 1937 (Astronomische Nachrichten 263, 121), in 1e-6 of the brightness at the disc's centre: light that free
-// electrons (K) and dust (F) scatter, at r >= 1.
+// Baumbach 1937 (Astronomische Nachrichten 263, 121), in 1e-6 of the brightness at the disc's centre (some who quote it
+// take the disc's mean, 0.8 of that): light that free electrons (K) and dust (F) scatter, at r >= 1.
 CONSTANT Real k_corona_inner = Real(2.565); // r^-17
 CONSTANT Real k_corona_outer = Real(1.425); // r^-7
 CONSTANT Real f_corona_all = Real(0.0532);  // r^-2.5

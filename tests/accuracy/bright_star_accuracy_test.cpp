@@ -10,6 +10,8 @@
 #include "vesper/catalog_tools/star_products.hpp"
 #include "vesper/light/photometry.hpp"
 
+#include "support/truth.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -30,26 +32,14 @@ const StarRecord& star_of_hr(unsigned hr, std::size_t& index) {
 
 Vec3 to_vec3(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
-struct Errors {
-  double worst = 0;
-  double square = 0;
-  int count = 0;
-  void add(double error) {
-    worst = std::max(worst, std::abs(error));
-    square += error * error;
-    ++count;
-  }
-  [[nodiscard]] double rms() const { return std::sqrt(square / count); }
-};
-
 // The catalogue rounds to 0.1 s (1.5") and 1": places cannot be better than about 1" for single stars. Bright double
 // stars are listed at the centre of light or at a component: up to 2".
 TEST(BrightStarAccuracy, PlacesMotionsAndMagnitudesMatchHipparcos) {
   const std::string path = VESPER_TEST_DATA "/catalogue/hipparcos_bright.csv";
   const CsvTable table(read_file(path), path);
-  Errors place;
-  Errors motion;
-  Errors magnitude;
+  test::ErrorSum place;
+  test::ErrorSum motion;
+  test::ErrorSum magnitude;
   const auto number = [&](std::size_t row, const char* column) { return table.number(row, table.column(column)); };
   for (std::size_t row = 0; row < table.row_count(); ++row) {
     const auto hr = static_cast<unsigned>(number(row, "hr"));
@@ -70,9 +60,10 @@ TEST(BrightStarAccuracy, PlacesMotionsAndMagnitudesMatchHipparcos) {
     const auto v = static_cast<double>(default_star_catalogue().identities[index].magnitude);
     magnitude.add(v - number(row, "v_magnitude"));
   }
-  std::printf("%d bright stars against Hipparcos: place worst %.2f\", RMS %.2f\"; proper motion worst %.0f, RMS %.0f "
+  std::printf("%zu bright stars against Hipparcos: place worst %.2f\", RMS %.2f\"; proper motion worst %.0f, RMS %.0f "
               "mas/year; V worst %.2f, RMS %.2f mag\n",
-              place.count, place.worst, place.rms(), motion.worst, motion.rms(), magnitude.worst, magnitude.rms());
+              place.count(), place.worst(), place.rms(), motion.worst(), motion.rms(), magnitude.worst(),
+              magnitude.rms());
   EXPECT_LT(place.rms(), 0.7);
   // Motions of close doubles differ by their orbits; the catalogue's are of 1988.
   EXPECT_LT(motion.rms(), 40.0);

@@ -5,6 +5,7 @@
 #include "vesper/light/sunlight.hpp"
 #include "vesper/sky/moon_shadow.hpp"
 
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,9 +22,7 @@
 namespace vesper {
 namespace {
 
-bool thorough() { return std::getenv("VESPER_TEST_FULL") != nullptr; }
-
-std::uint64_t paths(std::uint64_t reduced) { return thorough() ? 8 * reduced : reduced; }
+std::uint64_t paths(std::uint64_t reduced) { return test::thorough() ? 8 * reduced : reduced; }
 
 /// An umbra 160 km wide at right angles to its axis, which passes `miss_km` north of the observer; the Sun stands
 /// south.
@@ -119,7 +117,7 @@ double percent_off(const std::string& what, double model, const Estimate& refere
 
 using Views = std::vector<std::pair<double, double>>; // altitude, azimuth from the Sun's, degrees
 
-void compare(const Eclipse& eclipse, const Views& views, std::uint64_t most, test::ErrorSum& errors) {
+void compare_eclipsed(const Eclipse& eclipse, const Views& views, std::uint64_t most, test::ErrorSum& errors) {
   for (const auto& [altitude, azimuth] : views) {
     const Vec3 view = test::direction(azimuth * deg, altitude * deg);
     errors.add(percent_off(fmt::format("altitude {}, azimuth {}", altitude, azimuth),
@@ -137,10 +135,10 @@ TEST(EclipsedSky, MidTotalityAgainstTheReference) {
     std::printf("Sun %g degrees up\n", sun);
     const Eclipse eclipse(sun, 0.0);
     EXPECT_NEAR(eclipse.obscured(), 1.0, 2.0e-6); // but for the corona
-    compare(eclipse, {{90.0, 0.0}}, 30000, zenith);
-    compare(eclipse, {{45.0, 180.0}, {10.0, 90.0}}, 30000, sky);
-    compare(eclipse, {{3.0, 90.0}}, 30000, horizon);
-    if (sun == 30.0 || thorough()) {
+    compare_eclipsed(eclipse, {{90.0, 0.0}}, 30000, zenith);
+    compare_eclipsed(eclipse, {{45.0, 180.0}, {10.0, 90.0}}, 30000, sky);
+    compare_eclipsed(eclipse, {{3.0, 90.0}}, 30000, horizon);
+    if (sun == 30.0 || test::thorough()) {
       level.add(percent_off("level surface", static_cast<double>(eclipse.sky().level_ratio().y),
                             eclipse.reference_level(paths(120000))));
     }
@@ -155,7 +153,7 @@ TEST(EclipsedSky, EdgeOfTheUmbraAgainstTheReference) {
   const Eclipse eclipse(30.0, 83.0);
   EXPECT_GT(eclipse.obscured(), 0.9995);
   test::ErrorSum errors;
-  compare(eclipse, {{90.0, 0.0}, {45.0, 180.0}, {10.0, 0.0}, {3.0, 180.0}}, 30000, errors);
+  compare_eclipsed(eclipse, {{90.0, 0.0}, {45.0, 180.0}, {10.0, 0.0}, {3.0, 180.0}}, 30000, errors);
   errors.hold("luminance of the sky at the umbra's edge", 25.0, "%");
 }
 
@@ -165,7 +163,7 @@ TEST(EclipsedSky, PartialPhasesAgainstTheReference) {
   for (const double miss_km : {420.0, 1300.0}) {
     const Eclipse eclipse(30.0, miss_km);
     std::printf("%.1f %% of the Sun's light gone\n", 100.0 * eclipse.obscured());
-    compare(eclipse, {{90.0, 0.0}, {45.0, 180.0}, {10.0, 90.0}, {3.0, 0.0}}, 4000, errors);
+    compare_eclipsed(eclipse, {{90.0, 0.0}, {45.0, 180.0}, {10.0, 90.0}, {3.0, 0.0}}, 4000, errors);
     level.add(percent_off("level surface", static_cast<double>(eclipse.sky().level_ratio().y),
                           eclipse.reference_level(paths(4000))));
   }

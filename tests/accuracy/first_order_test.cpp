@@ -40,7 +40,7 @@ void add(Comparison& sum, const Estimate& paths, double exact) {
   }
 }
 
-void compare(const Medium& air, const std::string& name) {
+void compare_first_order(const Medium& air, const std::string& name) {
   const std::vector<double> wavelengths_nm{440.0, 550.0, 680.0};
   const ReferenceTransport transport(air, wavelengths_nm);
   PathBudget budget;
@@ -75,8 +75,8 @@ void compare(const Medium& air, const std::string& name) {
   EXPECT_LE(sum.unsettled, 3U);
 }
 
-TEST(FirstOrder, OfPublishedAirAgreesWithQuadrature) { compare(published_medium(), "published"); }
-TEST(FirstOrder, OfClearAirAgreesWithQuadrature) { compare(clear_medium(), "clear"); }
+TEST(FirstOrder, OfPublishedAirAgreesWithQuadrature) { compare_first_order(published_medium(), "published"); }
+TEST(FirstOrder, OfClearAirAgreesWithQuadrature) { compare_first_order(clear_medium(), "clear"); }
 
 } // namespace
 } // namespace vesper

@@ -10,6 +10,7 @@
 
 #include "support/known_tables.hpp"
 #include "support/measured_light.hpp"
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <string>
@@ -44,7 +44,7 @@ const std::vector<Case>& cases() {
   return both;
 }
 
-Vec3 at_altitude(double altitude_deg) { return test::direction(0.0 * deg, altitude_deg * deg); }
+Vec3 light_at(double altitude_deg) { return test::direction(0.0 * deg, altitude_deg * deg); }
 
 TEST(LevelIlluminance, IsTheIntegralOfTheLuminance) {
   // A plain rule on a grid so fine that it needs no cleverness: the zenith's hemisphere in equal steps.
@@ -64,7 +64,7 @@ TEST(LevelIlluminance, IsTheIntegralOfTheLuminance) {
         for (int k = 0; k < azimuths; ++k) {
           const double y = (k + 0.5) / azimuths;
           const Vec3 view = test::direction(pi * y * y * rad, altitude * rad);
-          const Xyzs seen = sky_luminance(tables, {height_km * kilometre, at_altitude(light_deg), 0.2666 * deg, view});
+          const Xyzs seen = sky_luminance(tables, {height_km * kilometre, light_at(light_deg), 0.2666 * deg, view});
           sum += seen.y * std::sin(altitude) * std::cos(altitude) * step * 2.0 * (2.0 * pi * y / azimuths);
         }
       }
@@ -102,10 +102,10 @@ TEST(LevelIlluminance, AgainstTheReference) {
     const Mat4 moon_from_sun = response_matrix(sun, moon);
     std::map<double, test::ErrorSum> sun_errors;
     std::map<double, test::ErrorSum> moon_errors;
-    const bool full = std::getenv("VESPER_TEST_FULL") != nullptr;
+    const bool full = test::thorough();
     for (const double height_km : full ? std::vector{0.0, 3.0, 20.0} : std::vector{c.name == "clear" ? 0.0 : 3.0}) {
       for (const double light_deg : full ? all_lights_deg : few_lights_deg) {
-        const SkyQuery query{height_km * kilometre, at_altitude(light_deg), 0.2666 * deg, {0.0, 0.0, 1.0}};
+        const SkyQuery query{height_km * kilometre, light_at(light_deg), 0.2666 * deg, {0.0, 0.0, 1.0}};
         PathBudget budget;
         budget.relative_error = light_deg > -6.0 ? 0.003 : 0.01;
         const TransportResult diffuse = transport.diffuse_irradiance(query, {sun_y, moon_y}, budget);

@@ -4,12 +4,12 @@
 #include "vesper/atmosphere/reference_transport.hpp"
 #include "vesper/base/gauss_legendre.hpp"
 
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <random>
 #include <string>
@@ -18,11 +18,9 @@
 namespace vesper {
 namespace {
 
-const std::vector<double> wavelengths_nm{440.0, 505.0, 565.0, 630.0};
+const std::vector<double> field_wavelengths_nm{440.0, 505.0, 565.0, 630.0};
 
-Vec3 toward(double azimuth_deg, double altitude_deg) { return test::direction(azimuth_deg * deg, altitude_deg * deg); }
-
-struct Span {
+struct FieldSpan {
   std::vector<double> altitudes_deg; ///< of the Sun
   double reference_error;
   double radiance_limit;   ///< RMS over the sky, %
@@ -31,18 +29,18 @@ struct Span {
 };
 
 /// The limits are those that the tables have to hold.
-const std::vector<Span> spans{{{45.0, 10.0, 1.0}, 0.008, 2.0, 2.0, "above 0 degrees"},
-                              {{-2.0, -4.0, -6.0}, 0.02, 5.0, 5.0, "0 to -6 degrees"},
-                              {{-9.0, -12.0}, 0.03, 10.0, 15.0, "-6 to -12 degrees"},
-                              {{-15.0, -18.0}, 0.05, 25.0, 25.0, "-12 to -18 degrees"}};
+const std::vector<FieldSpan> field_spans{{{45.0, 10.0, 1.0}, 0.008, 2.0, 2.0, "above 0 degrees"},
+                                         {{-2.0, -4.0, -6.0}, 0.02, 5.0, 5.0, "0 to -6 degrees"},
+                                         {{-9.0, -12.0}, 0.03, 10.0, 15.0, "-6 to -12 degrees"},
+                                         {{-15.0, -18.0}, 0.05, 25.0, 25.0, "-12 to -18 degrees"}};
 
-void compare(const Medium& medium, const std::string& name) {
+void compare_field(const Medium& medium, const std::string& name) {
   const SampledAir air(medium);
-  const SpectralAir optics(medium, wavelengths_nm);
+  const SpectralAir optics(medium, field_wavelengths_nm);
   const LightField field(air, optics);
-  const ReferenceTransport reference(medium, wavelengths_nm);
-  const bool full = std::getenv("VESPER_TEST_FULL") != nullptr;
-  for (const Span& span : spans) {
+  const ReferenceTransport reference(medium, field_wavelengths_nm);
+  const bool full = test::thorough();
+  for (const FieldSpan& span : field_spans) {
     test::ErrorSum irradiance;
     double squares = 0.0;
     std::size_t count = 0;
@@ -50,17 +48,17 @@ void compare(const Medium& medium, const std::string& name) {
     budget.relative_error = span.reference_error;
     budget.least_paths = 2048;
     for (const double sun : span.altitudes_deg) {
-      SkyQuery query{0.0 * kilometre, toward(0.0, sun), 0.2666 * deg, {}};
+      SkyQuery query{0.0 * kilometre, test::toward(0.0, sun), 0.2666 * deg, {}};
       for (const double altitude : full ? std::vector{90.0, 45.0, 15.0, 5.0, 1.0} : std::vector{90.0, 15.0, 1.0}) {
         for (const double azimuth : full ? std::vector{0.0, 60.0, 180.0} : std::vector{0.0, 180.0}) {
           if (altitude == 90.0 && azimuth > 0.0) {
             continue;
           }
-          query.view_direction = toward(azimuth, altitude);
+          query.view_direction = test::toward(azimuth, altitude);
           ++budget.stream;
           const TransportResult expected = reference.radiance(query, {}, budget);
           const std::vector<double> radiance = field.radiance(query);
-          for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+          for (std::size_t i = 0; i < field_wavelengths_nm.size(); ++i) {
             const double error = radiance[i] / expected.spectrum[i].mean - 1.0;
             squares += error * error;
             ++count;
@@ -70,7 +68,7 @@ void compare(const Medium& medium, const std::string& name) {
       query.view_direction = {0.0, 0.0, 1.0};
       const TransportResult expected = reference.diffuse_irradiance(query, {}, budget);
       const std::vector<double> level = field.diffuse_irradiance(query.light_direction.z);
-      for (std::size_t i = 0; i < wavelengths_nm.size(); ++i) {
+      for (std::size_t i = 0; i < field_wavelengths_nm.size(); ++i) {
         irradiance.add(100.0 * (level[i] / expected.spectrum[i].mean - 1.0));
       }
     }
@@ -81,9 +79,9 @@ void compare(const Medium& medium, const std::string& name) {
   }
 }
 
-TEST(LightField, PublishedMediumAgainstTheReference) { compare(published_medium(), "published"); }
+TEST(LightField, PublishedMediumAgainstTheReference) { compare_field(published_medium(), "published"); }
 
-TEST(LightField, ClearAirAgainstTheReference) { compare(clear_medium(), "clear"); }
+TEST(LightField, ClearAirAgainstTheReference) { compare_field(clear_medium(), "clear"); }
 
 TEST(LightField, DoesNotDependOnTheNumberOfThreads) {
   const SampledAir air(published_medium());
@@ -91,7 +89,7 @@ TEST(LightField, DoesNotDependOnTheNumberOfThreads) {
   const LightFieldSize small{8, 6, 3, 6, 3, 0.3, 1.0, 0.1, 3};
   const LightField one(air, optics, small, 1);
   const LightField three(air, optics, small, 3);
-  const SkyQuery query{1.0 * kilometre, toward(0.0, -3.0), 0.0 * deg, toward(40.0, 20.0)};
+  const SkyQuery query{1.0 * kilometre, test::toward(0.0, -3.0), 0.0 * deg, test::toward(40.0, 20.0)};
   EXPECT_EQ(one.radiance(query), three.radiance(query));
 }
 

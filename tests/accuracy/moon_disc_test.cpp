@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -73,11 +74,11 @@ MoonDisc lit_by_one(MoonDisc disc, bool sun) {
 }
 
 template <class Surface> void compare(const Surface& surface, const std::string& what) {
-  const MoonSamples samples = sample_moon(test::map_of(surface, 192));
+  const MoonGlobe globe = moon_globe(test::map_of(surface, 192));
   test::ErrorSum bright;
   test::ErrorSum thin;
   for (const SkyState& sky : skies(43)) {
-    const MoonDisc disc = moon_disc(sky, samples);
+    const MoonDisc disc = moon_disc(sky, globe);
     if (sky.lunar_eclipse.penumbral_magnitude > 0.0) {
       continue;
     }
@@ -97,19 +98,19 @@ TEST(MoonDisc, AddsUpToTheLightOfAnEvenMoon) { compare(test::even_surface, "an e
 
 TEST(MoonDisc, AddsUpToTheLightOfTheEclipsedMoon) {
   // Each place with its own share of the sunlight against the mean over the disc that lights the air.
-  const MoonSamples samples = sample_moon(default_moon_map());
+  const MoonGlobe globe = moon_globe(default_moon_map());
   test::ErrorSum y;
   test::ErrorSum others;
   for (const char* middle : {"2010-12-21T08:17:00Z", "2011-06-15T20:12:37Z", "2012-06-04T11:03:00Z"}) {
     for (int quarters = -12; quarters <= 12; ++quarters) {
       const SkyState sky = sky_state(later(parse_instant(middle), 900.0 * quarters), mangalore);
-      const MoonDisc disc = moon_disc(sky, samples);
+      const MoonDisc disc = moon_disc(sky, globe);
       const LunarEclipseState& eclipse = sky.lunar_eclipse;
       const LunarEclipseTable table = lunar_eclipse_table(eclipse, moon_illumination(sky).sunlit_moon);
       const f64::EarthShadow shadow = earth_shadow(eclipse, sky.moon.moon_fixed_from_icrs);
       const Vec3 moon_km = sky.moon.moon_fixed_from_icrs * eclipse.moon_km;
       const Vec4 drawn = sum_moon_light(
-          samples, disc.distance / moon_mean_radius * disc.to_observer, disc.lighting, [&](const Vec3& normal) {
+          globe.samples, disc.distance / moon_mean_radius * disc.to_observer, disc.lighting, [&](const Vec3& normal) {
             return f64::lunar_eclipse_shares(moon_km + moon_mean_radius.to(kilometre) * normal, shadow, table.frame,
                                              table.sampler());
           });
@@ -129,36 +130,80 @@ double gain(const f64::LunarLaw& drawn, const f64::LunarLaw& law) {
 }
 
 TEST(MoonDisc, OfTheBuiltInMapIsSampledFinelyEnough) {
-  // Its places against 15 times as many; and against the laws for an even sphere, whose light it shares out.
-  const MoonSamples samples = sample_moon(default_moon_map());
-  const MoonSamples many = sample_moon(default_moon_map(), 250000);
+  // Its light against that of many more places; and its laws against those for an even sphere.
+  const MoonGlobe globe = moon_globe(default_moon_map());
+  const MoonSamples many = sample_moon(default_moon_map(), 600000);
   test::ErrorSum sampling;
+  test::ErrorSum crescents;
   test::ErrorSum sun;
   test::ErrorSum earth;
-  for (const SkyState& sky : skies(24)) {
-    const f64::MoonLighting lighting = moon_disc(sky, samples).lighting;
-    const f64::MoonLighting fine = moon_disc(sky, many).lighting;
-    const f64::LunarLaw law = lunar_law(sky.moon.phase_angle);
+  for (const SkyState& sky : skies(47)) {
+    const MoonDisc disc = moon_disc(sky, globe);
+    const MoonIllumination moon = moon_illumination(sky);
+    const f64::MoonLighting& lighting = disc.lighting;
+    const MoonLightSums sums =
+        sum_moon_light(many, disc.distance / moon_mean_radius * disc.to_observer, lighting, disc.fixed_from_disc);
     if (sky.moon.phase_angle < 172.0 * deg) {
-      sampling.add(100.0 * (gain(lighting.sun_law, fine.sun_law) - 1.0));
+      (sky.moon.phase_angle < 125.0 * deg ? sampling : crescents)
+          .add(100.0 * (sums.sun * lighting.sunlit.y / integrate_xyzs(moon.sunlit_moon).y - 1.0));
     }
-    sampling.add(100.0 * (gain(lighting.earth_law, fine.earth_law) - 1.0));
+    sampling.add(100.0 * (sums.earth * lighting.earthlit.y / integrate_xyzs(moon.earthlit_moon).y - 1.0));
     if (sky.moon.phase_angle < 150.0 * deg) {
-      sun.add(100.0 * (gain(lighting.sun_law, law) - 1.0));
+      sun.add(100.0 * (gain(lighting.sun_law, lunar_law(sky.moon.phase_angle)) - 1.0));
     }
-    earth.add(100.0 * (gain(lighting.earth_law, lunar_law(moon_illumination(sky).earthlight_phase)) - 1.0));
+    earth.add(100.0 * (gain(lighting.earth_law, lunar_law(moon.earthlight_phase)) - 1.0));
   }
-  sampling.hold("light of the built-in map from the places added up, to 172 degrees of phase", 0.5, "%");
+  sampling.hold("light of the built-in map from the places added up, to 125 degrees of phase", 0.2, "%");
+  crescents.hold("light of the built-in map from the places added up, 125 to 172 degrees of phase", 0.3, "%");
   sun.hold("light of the built-in map by the Sun against the phase law, to 150 degrees of phase, scaled away", 20.0,
            "%");
   earth.hold("light of the built-in map by the Earth against that of an even sphere, scaled away", 5.0, "%");
 }
 
+TEST(MoonDisc, LitArcsEndWhereTheSunSets) {
+  // Against steps along lines; near the horns a line may cut what is dark between them, which then lies inside the arc.
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  test::ErrorSum error;
+  int lit_lines = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double elongation = 0.25 * pi * (1.0 + unit(random)); // of the Sun behind the disc
+    const double turned = pi * unit(random);
+    const Vec3 to_sun(std::sin(elongation) * std::cos(turned), std::sin(elongation) * std::sin(turned),
+                      std::cos(elongation));
+    const double reach = 0.05 * (1.0 + unit(random));
+    const Vec2 from(1.2 * unit(random), 1.2 * unit(random));
+    const Vec2 line(0.4 * unit(random), 0.4 * unit(random));
+    constexpr int steps = 4000;
+    double first = 2.0;
+    double last = -2.0;
+    for (int k = 0; k < steps; ++k) {
+      const double t = (k + 0.5) / steps;
+      const Vec2 place = from + t * line;
+      const double square = glm::dot(place, place);
+      if (square < 1.0 && glm::dot(to_sun, Vec3(place, -std::sqrt(1.0 - square))) > -reach) {
+        first = std::min(first, t);
+        last = t;
+      }
+    }
+    const f64::DiscArc arc = f64::disc_lit_arc(from, line, to_sun, reach);
+    if (last < first) {
+      error.add(steps * arc.radius * (std::sin(arc.end) - std::sin(arc.start)));
+      continue;
+    }
+    ++lit_lines;
+    error.add(steps * (arc.middle + arc.radius * std::sin(arc.start) - first));
+    error.add(steps * (arc.middle + arc.radius * std::sin(arc.end) - last));
+  }
+  EXPECT_GT(lit_lines, 800);
+  error.hold("ends of what a line shows of a crescent", 1.0, "steps of 1/4000 of the line");
+}
+
 TEST(MoonDisc, GivesTheSkyTheSameLight) {
-  const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 32));
+  const MoonGlobe globe = moon_globe(test::map_of(test::waved_surface, 32));
   test::ErrorSum error;
   for (const SkyState& sky : skies(40)) {
-    const MoonDisc disc = moon_disc(sky, samples);
+    const MoonDisc disc = moon_disc(sky, globe);
     for (const SkyLight& light : lights_of(sky)) {
       if (light.name == "moon" && sky.moon.phase_angle < 170.0 * deg) {
         error.add(100.0 * (integrate_xyzs(light.irradiance).y / disc.illuminance.y - 1.0));
@@ -172,12 +217,12 @@ TEST(MoonDisc, GivesTheSkyTheSameLight) {
 
 TEST(MoonDisc, EvenSurfaceNeedsNoGain) {
   // The law's own gain is exact for a smooth sphere of one albedo far away and a Sun without a disc.
-  const MoonSamples samples = sample_moon(test::map_of(test::even_surface, 32));
+  const MoonGlobe globe = moon_globe(test::map_of(test::even_surface, 32));
   test::ErrorSum error;
   for (const SkyState& sky : skies(60)) {
     const double phase = sky.moon.phase_angle.to(deg);
     if (phase < 120.0) {
-      const MoonDisc disc = moon_disc(sky, samples);
+      const MoonDisc disc = moon_disc(sky, globe);
       const f64::LunarLaw law = lunar_law(sky.moon.phase_angle);
       // The albedo of the map is 0.12, the Moon's in lux 0.119: 133.3 klx of sunlight against 0.31 of moonlight.
       error.add(100.0 * (gain(disc.lighting.sun_law, law) * 0.12 / 0.1190 - 1.0));
@@ -189,9 +234,9 @@ TEST(MoonDisc, EvenSurfaceNeedsNoGain) {
 TEST(MoonDisc, LibrationPointLiesUnderTheObserver) {
   test::ErrorSum centre;
   test::ErrorSum pole;
-  const MoonSamples samples = sample_moon(test::map_of(test::even_surface, 16), 100);
+  const MoonGlobe globe = moon_globe(test::map_of(test::even_surface, 16), 100);
   for (const SkyState& sky : skies(30)) {
-    const MoonDisc disc = moon_disc(sky, samples);
+    const MoonDisc disc = moon_disc(sky, globe);
     const Vec3 under = disc.moon_fixed_from_horizon * -disc.direction;
     centre.add(
         test::separation(under, test::direction(sky.moon.libration.longitude, sky.moon.libration.latitude)).to(arcsec));
@@ -208,7 +253,7 @@ TEST(MoonDisc, LibrationPointLiesUnderTheObserver) {
 TEST(MoonDisc, FullMoonHasTheLuminanceAndLuxOfTheAnchors) {
   // 2026-01-03, 10:03 UTC; no eclipse. Anchors: 5000 cd/m2 and 0.31 lx without the surge, at the mean distances.
   const SkyState sky = sky_state(parse_instant("2026-01-03T10:30:00Z"), mangalore);
-  const MoonDisc disc = moon_disc(sky, sample_moon(test::map_of(test::waved_surface, 64)));
+  const MoonDisc disc = moon_disc(sky, moon_globe(test::map_of(test::waved_surface, 64)));
   const double phase = sky.moon.phase_angle.to(deg);
   const double surge = std::pow(10.0, 0.4 * f64::lunar_surge_mag(phase));
   const double course = std::pow(10.0, 0.4 * 0.026 * phase);
@@ -229,7 +274,7 @@ TEST(MoonDisc, FullMoonHasTheLuminanceAndLuxOfTheAnchors) {
 double blueness(const Vec4& light) { return light.z / light.y; }
 
 TEST(Earthshine, DarkSideOfAThinCrescent) {
-  const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 64));
+  const MoonGlobe globe = moon_globe(test::map_of(test::waved_surface, 64));
   test::ErrorSum brightness;
   int crescents = 0;
   double brightest = 99.0;
@@ -240,7 +285,7 @@ TEST(Earthshine, DarkSideOfAThinCrescent) {
       continue;
     }
     ++crescents;
-    const MoonDisc disc = moon_disc(sky, samples);
+    const MoonDisc disc = moon_disc(sky, globe);
     // The mean of the disc without the Sun. 108e3 cd/m2 is one of V = 0 in a square second of arc.
     const double solid_angle_sr = pi * std::pow(std::sin(disc.angular_radius.to(rad)), 2);
     const Vec4 dark = added_up(lit_by_one(disc, false), test::even_surface, 40) / solid_angle_sr;

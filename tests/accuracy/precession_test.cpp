@@ -14,7 +14,7 @@ using test::ErrorSum;
 
 constexpr JulianDate<TT> j2000{2451545.0, 0.0};
 
-JulianDate<TT> in_year(double year) { return j2000.plus_days((year - 2000.0) * 365.25); }
+JulianDate<TT> tt_in_year(double year) { return j2000.plus_days((year - 2000.0) * 365.25); }
 
 /// Laskar 1986 (A&A 157, 59), table 8: for 10 000 years around J2000. Its rate at J2000 is the IAU 1976 one, by 2.8" in
 /// 10 000 years off today's, its terms are good to some arcsec at the ends.
@@ -33,7 +33,7 @@ TEST(Precession, ObliquityAgreesWithLaskar) {
   ErrorSum history;
   ErrorSum all;
   for (double year = -4712.0; year <= 9999.0; year += 50.0) {
-    const double error = (precession(in_year(year)).mean_obliquity_rad * rad - laskar_obliquity(year)).to(arcsec);
+    const double error = (precession(tt_in_year(year)).mean_obliquity_rad * rad - laskar_obliquity(year)).to(arcsec);
     all.add(error);
     if (std::abs(year) <= 3000.0) {
       history.add(error);
@@ -46,7 +46,7 @@ TEST(Precession, ObliquityAgreesWithLaskar) {
 
 TEST(Precession, IsARotationThatTurnsByTheGeneralPrecession) {
   for (double year = -4712.0; year <= 9999.0; year += 97.0) {
-    const Precession p = precession(in_year(year));
+    const Precession p = precession(tt_in_year(year));
     const Mat3 product = p.mean_equator_from_icrs * glm::transpose(p.mean_equator_from_icrs);
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) {
@@ -66,8 +66,8 @@ TEST(Precession, IsARotationThatTurnsByTheGeneralPrecession) {
 TEST(Precession, JoinsItsModelsWithoutAVisibleStep) {
   ErrorSum step;
   for (const double edge : {1600.0, 2400.0}) {
-    const Precession before = precession(in_year(edge - 1e-7));
-    const Precession after = precession(in_year(edge + 1e-7));
+    const Precession before = precession(tt_in_year(edge - 1e-7));
+    const Precession after = precession(tt_in_year(edge + 1e-7));
     for (int i = 0; i < 3; ++i) {
       step.add(test::separation(before.mean_equator_from_icrs[i], after.mean_equator_from_icrs[i]).to(arcsec));
     }

@@ -15,7 +15,7 @@ namespace {
 
 using test::ErrorSum;
 
-constexpr double degree = std::numbers::pi / 180.0;
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 RefractionConditions air(double height_km, double pressure_hpa, double temperature_c, double wavelength_nm) {
   return {height_km * kilometre, pressure_hpa, temperature_c, wavelength_nm};
@@ -56,7 +56,7 @@ TEST(TracedRefraction, AgreesWithThePulkovoTables) {
   const RefractionTracer tracer(air(0.0, 1013.25, 15.0, 590.0));
   ErrorSum high;
   for (double altitude = 20.0; altitude < 89.5; altitude += 0.5) {
-    const double t = 1.0 / std::tan(altitude * degree);
+    const double t = 1.0 / std::tan(altitude * radians_per_degree);
     high.add(tracer.trace(altitude * deg).refraction.to(arcsec) - (57.085 * t - 0.0666 * t * t * t));
   }
   high.hold("traced refraction against Pulkovo above 20 degrees", 0.03, "arcsec");
@@ -113,7 +113,7 @@ TEST(TracedRefraction, AgreesWithRaysFollowedStepByStep) {
     const AirProfile profile(conditions);
     const double horizon = tracer.horizon().to(rad);
     for (const double above_deg : {0.0, 0.05, 0.3, 1.0, 1.9, 3.0, 10.0, 45.0, 80.0}) {
-      const double altitude = horizon + above_deg * degree;
+      const double altitude = horizon + above_deg * radians_per_degree;
       const double followed = altitude - followed_true_altitude(profile, altitude, 0.25);
       errors.add(tracer.trace(altitude * rad).refraction.to(arcsec) - (followed * rad).to(arcsec));
     }
@@ -225,7 +225,7 @@ TEST(RefractionTable, ServesOtherWavelengthsByTheRatioOfRefractivities) {
     const RefractionTracer fine(c);
     const f64::RefractionFrame frame = refraction_frame(refraction, wavelength);
     for (double altitude = 0.0; altitude < 90.0; altitude += altitude < 10.0 ? 0.25 : 2.0) {
-      const Vec3 seen(std::cos(altitude * degree), 0.0, std::sin(altitude * degree));
+      const Vec3 seen(std::cos(altitude * radians_per_degree), 0.0, std::sin(altitude * radians_per_degree));
       const Vec3 source = f64::true_direction_of(seen, frame, refraction_sampler(refraction));
       const double error = (fine.trace(altitude * deg).refraction - test::separation(seen, source)).to(arcsec);
       (altitude >= 10.0 ? high : low).add(error);
@@ -241,7 +241,7 @@ TEST(PublishedRefraction, AgainstAFineTrace) {
   ErrorSum high;
   ErrorSum low;
   for (double altitude = 0.0; altitude < 90.0; altitude += 0.25) {
-    const Vec3 seen(std::cos(altitude * degree), 0.0, std::sin(altitude * degree));
+    const Vec3 seen(std::cos(altitude * radians_per_degree), 0.0, std::sin(altitude * radians_per_degree));
     const Angle ours = test::separation(seen, true_direction(seen, refraction));
     (altitude >= 5.0 ? high : low).add((fine.trace(altitude * deg).refraction - ours).to(arcmin));
   }
@@ -264,7 +264,7 @@ TEST(RefractionTable, InSinglePrecision) {
   const f64::sampler1D exact{table.texels.data(), static_cast<int>(table.texels.size())};
   ErrorSum bends;
   for (int i = -9000; i <= 9000; ++i) {
-    const double altitude = i * 0.01 * degree;
+    const double altitude = i * 0.01 * radians_per_degree;
     for (const bool apparent : {false, true}) {
       const auto sine = static_cast<float>(std::sin(altitude));
       const auto in_float = static_cast<double>(f32::table_bend(sine, apparent, frame, sampler));

@@ -40,7 +40,7 @@ Vec3 apparent_of_date(const Vec3& from_observer_au, const EarthState& earth) {
   return earth.equator_of_date_from_icrs * apparent;
 }
 
-struct PlaceErrors {
+struct SeriesErrors {
   ErrorSum direction_arcsec, distance_km;
   void add(const Vec3& from_observer_au, const EarthState& earth, const TruthRow& row, Length distance) {
     const Vec3 truth = test::direction(row.degrees("ra"), row.degrees("dec"));
@@ -53,9 +53,9 @@ struct PlaceErrors {
   }
 };
 
-PlaceErrors moon_errors(const BodiesAt& bodies_at, bool outside_table_only) {
+SeriesErrors moon_errors(const BodiesAt& bodies_at, bool outside_table_only) {
   const CsvTable table = test::truth_table("moon_topo.csv");
-  PlaceErrors errors;
+  SeriesErrors errors;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const TruthRow row(table, i);
     if (outside_table_only && row.in_table_years()) {
@@ -67,9 +67,9 @@ PlaceErrors moon_errors(const BodiesAt& bodies_at, bool outside_table_only) {
   return errors;
 }
 
-PlaceErrors sun_errors(const BodiesAt& bodies_at) {
+SeriesErrors sun_errors(const BodiesAt& bodies_at) {
   const CsvTable table = test::truth_table("sun_topo.csv");
-  PlaceErrors errors;
+  SeriesErrors errors;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const TruthRow row(table, i);
     const EarthState earth = earth_with(bodies_at, row);
@@ -91,9 +91,9 @@ Vec3 planet_from_observer(Planet planet, const EarthState& earth, const PlanetAt
   return from_observer;
 }
 
-std::map<std::string, PlaceErrors> planet_errors(const BodiesAt& bodies_at, const PlanetAt& planet_at) {
+std::map<std::string, SeriesErrors> planet_errors(const BodiesAt& bodies_at, const PlanetAt& planet_at) {
   const CsvTable table = test::truth_table("planets_topo.csv");
-  std::map<std::string, PlaceErrors> errors;
+  std::map<std::string, SeriesErrors> errors;
   for (std::size_t i = 0; i < table.row_count(); ++i) {
     const std::string name(table.cell(i, table.column("planet")));
     const double jd_tt = table.number(i, table.column("jd_tt"));
@@ -110,16 +110,16 @@ std::map<std::string, PlaceErrors> planet_errors(const BodiesAt& bodies_at, cons
 }
 
 TEST(Series, MoonMatchesTheReferenceEphemeris) {
-  const PlaceErrors outside = moon_errors(sun_earth_moon_series, true);
+  const SeriesErrors outside = moon_errors(sun_earth_moon_series, true);
   outside.hold("Moon by series, 1900 to 1959 and 2060 to 2100", 1.0, 3.0);
   EXPECT_GT(outside.direction_arcsec.count(), 60U);
-  const PlaceErrors all = moon_errors(sun_earth_moon_series, false);
+  const SeriesErrors all = moon_errors(sun_earth_moon_series, false);
   all.hold("Moon by series, 1900 to 2100", 1.0, 3.0);
   EXPECT_EQ(all.direction_arcsec.count(), 200U);
 }
 
 TEST(Series, SunMatchesTheReferenceEphemeris) {
-  const PlaceErrors errors = sun_errors(sun_earth_moon_series);
+  const SeriesErrors errors = sun_errors(sun_earth_moon_series);
   errors.hold("Sun by series, 1900 to 2100", 0.2, 100.0);
   EXPECT_EQ(errors.direction_arcsec.count(), 200U);
 }
@@ -236,8 +236,8 @@ TEST(Series, InstantsMicrosecondsApartDifferByTheVelocity) {
 }
 
 TEST(CheapTier, HoldsItsStatedErrors) {
-  const PlaceErrors moon = moon_errors(sun_earth_moon_cheap, false);
-  const PlaceErrors sun = sun_errors(sun_earth_moon_cheap);
+  const SeriesErrors moon = moon_errors(sun_earth_moon_cheap, false);
+  const SeriesErrors sun = sun_errors(sun_earth_moon_cheap);
   moon.hold("Moon, cheap tier, 1900 to 2100", 360.0, 800.0); // its parallax has terms down to 9e-6 of 0.0166
   EXPECT_LT(moon.direction_arcsec.rms(), 130.0);
   sun.direction_arcsec.hold("Sun, cheap tier, 1900 to 2100, direction", 35.0, "arcsec");

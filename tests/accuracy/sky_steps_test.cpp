@@ -6,13 +6,13 @@
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
 
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -97,13 +97,11 @@ const std::vector<View> many{{90.0, 0.0},  {60.0, 60.0}, {15.0, 0.0},   {15.0, 3
                              {2.0, 170.0}, {10.0, 90.0}, {10.0, 180.0}, {40.0, 120.0}};
 
 TEST(SkySteps, PublishedMedium) {
-  const bool thorough = std::getenv("VESPER_TEST_FULL") != nullptr;
-  expect_no_steps(published_medium(), "published", thorough ? many : few, thorough ? 0.004 : 0.008);
+  expect_no_steps(published_medium(), "published", test::thorough() ? many : few, test::thorough() ? 0.004 : 0.008);
 }
 
 TEST(SkySteps, ClearAir) {
-  const bool thorough = std::getenv("VESPER_TEST_FULL") != nullptr;
-  expect_no_steps(clear_medium(), "clear", thorough ? many : few, thorough ? 0.005 : 0.01);
+  expect_no_steps(clear_medium(), "clear", test::thorough() ? many : few, test::thorough() ? 0.005 : 0.01);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 #include "vesper/light/spectral_weights.hpp"
 #include "vesper/light/sunlight.hpp"
 
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -24,9 +24,7 @@ namespace {
 
 constexpr Angle light_radius = 0.2666 * deg;
 
-bool thorough() { return std::getenv("VESPER_TEST_FULL") != nullptr; }
-
-struct Span {
+struct SkySpan {
   std::string name;
   std::vector<double> lights_deg;
   double reference_error;
@@ -36,10 +34,10 @@ struct Span {
 };
 
 /// The limits are what the tables are for; the reference's own errors count as theirs.
-const std::vector<Span> spans{{"above 0 degrees", {62.0, 17.0, 4.0, 0.6}, 0.008, 2.0, 2.0, true},
-                              {"0 to -6 degrees", {-0.4, -2.3, -4.1, -5.9}, 0.012, 5.0, 5.0, true},
-                              {"-6 to -12 degrees", {-7.2, -9.4, -11.8}, 0.025, 10.0, 15.0, false},
-                              {"-12 to -18 degrees", {-14.3, -17.6}, 0.06, 25.0, 25.0, false}};
+const std::vector<SkySpan> sky_spans{{"above 0 degrees", {62.0, 17.0, 4.0, 0.6}, 0.008, 2.0, 2.0, true},
+                                     {"0 to -6 degrees", {-0.4, -2.3, -4.1, -5.9}, 0.012, 5.0, 5.0, true},
+                                     {"-6 to -12 degrees", {-7.2, -9.4, -11.8}, 0.025, 10.0, 15.0, false},
+                                     {"-12 to -18 degrees", {-14.3, -17.6}, 0.06, 25.0, 25.0, false}};
 
 /// A light's weights at the transport's wavelengths, for 1 lux of it outside the air.
 struct Light {
@@ -72,7 +70,7 @@ struct Sums {
     colour.add(a.x - b.x);
     colour.add(a.y - b.y);
   }
-  void hold(const std::string& what, const Span& span) const {
+  void hold(const std::string& what, const SkySpan& span) const {
     test::ErrorSum luminance;
     luminance.add(100.0 * std::sqrt(squares / count));
     luminance.hold(what + ": RMS of the luminance over the sky", span.luminance_limit, "%");
@@ -83,9 +81,9 @@ struct Sums {
 };
 
 /// A medium's tables beside the reference.
-class Comparison {
+class TablesComparison {
 public:
-  Comparison(const Medium& medium, std::string name)
+  TablesComparison(const Medium& medium, std::string name)
       : name_(std::move(name)), tables_(make_sky_tables(medium)), reference_(medium, medium.wavelengths_nm),
         sun_(solar_irradiance_1au(), medium.wavelengths_nm),
         moon_(moon_irradiance(2.0 * deg, moon_mean_distance, 149597870.7 * kilometre), medium.wavelengths_nm) {
@@ -95,12 +93,12 @@ public:
   }
 
   void sky() {
-    for (const Span& span : spans) {
+    for (const SkySpan& span : sky_spans) {
       Sums sun;
       Sums moon;
       for (const double light : span.lights_deg) {
         for (const double height_km : {0.0, 2.4, 11.0}) {
-          for (int i = 0; i < (thorough() ? 16 : 3); ++i) {
+          for (int i = 0; i < (test::thorough() ? 16 : 3); ++i) {
             const Vec2 place = draw();
             add(query(light, height_km, 1.0 + 89.0 * std::pow(place.x, 1.5), 360.0 * place.y), span.reference_error,
                 sun, moon);
@@ -113,11 +111,11 @@ public:
   }
 
   void ground_from_above() {
-    for (const Span& span : spans) {
+    for (const SkySpan& span : sky_spans) {
       Sums sun;
       Sums moon;
       for (const double light : span.lights_deg) {
-        for (int i = 0; i < (thorough() ? 16 : 3); ++i) {
+        for (int i = 0; i < (test::thorough() ? 16 : 3); ++i) {
           const Vec2 place = draw();
           // From the horizon, 3.4 degrees down, to the nadir.
           add(query(light, 11.0, -3.6 - 86.0 * place.x, 360.0 * place.y), span.reference_error, sun, moon);
@@ -129,7 +127,7 @@ public:
   }
 
   void illuminance() {
-    for (const Span& span : spans) {
+    for (const SkySpan& span : sky_spans) {
       test::ErrorSum errors;
       for (const double light : span.lights_deg) {
         const SkyQuery level = query(light, 0.0, 90.0, 0.0);
@@ -186,14 +184,14 @@ private:
 };
 
 TEST(SkyTables, ClearAirAgainstTheReference) {
-  Comparison clear(clear_medium(), "clear");
+  TablesComparison clear(clear_medium(), "clear");
   clear.sky();
   clear.ground_from_above();
   clear.illuminance();
 }
 
 TEST(SkyTables, PublishedMediumAgainstTheReference) {
-  Comparison published(published_medium(), "published");
+  TablesComparison published(published_medium(), "published");
   published.sky();
   published.ground_from_above();
   published.illuminance();

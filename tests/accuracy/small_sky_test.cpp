@@ -19,13 +19,13 @@
 namespace vesper {
 namespace {
 
-struct Span {
+struct SmallSpan {
   std::vector<double> altitudes_deg; ///< of the Sun
   double limit;                      ///< RMS over the sky, %
   std::string name;
 };
 
-void compare(const Medium& medium, const std::string& name, const std::vector<Span>& spans) {
+void compare_small(const Medium& medium, const std::string& name, const std::vector<SmallSpan>& spans) {
   const SkyTables tables = make_small_sky_tables(medium);
   const SpectralRule rule = spectral_rule(medium, solar_irradiance_1au(), 8);
   const ReferenceTransport reference(medium, rule.wavelengths_nm);
@@ -33,7 +33,7 @@ void compare(const Medium& medium, const std::string& name, const std::vector<Sp
   const double lux = weights(std::vector<double>(rule.wavelengths_nm.size(), 1.0)).y;
   PathBudget budget;
   budget.relative_error = 0.01;
-  for (const Span& span : spans) {
+  for (const SmallSpan& span : spans) {
     double squares = 0.0;
     std::size_t count = 0;
     for (const double sun : span.altitudes_deg) {
@@ -60,13 +60,14 @@ void compare(const Medium& medium, const std::string& name, const std::vector<Sp
 
 // What other renderers with this method may expect: good by day, of the right order at -6 degrees, nothing below.
 TEST(SmallSky, PublishedMediumAgainstTheReference) {
-  compare(
+  compare_small(
       published_medium(), "published",
       {{{45.0, 10.0}, 7.0, "above 5 degrees"}, {{2.0, -2.0}, 10.0, "5 to -3 degrees"}, {{-5.0}, 35.0, "-5 degrees"}});
 }
 
 TEST(SmallSky, ClearAirAgainstTheReference) {
-  compare(clear_medium(), "clear", {{{45.0, 10.0}, 15.0, "above 5 degrees"}, {{2.0, -2.0}, 20.0, "5 to -3 degrees"}});
+  compare_small(clear_medium(), "clear",
+                {{{45.0, 10.0}, 15.0, "above 5 degrees"}, {{2.0, -2.0}, 20.0, "5 to -3 degrees"}});
 }
 
 TEST(SmallSky, LightScatteredOnceIsThatOfTheQuadrature) {

@@ -51,7 +51,7 @@ SkySpectra sky_spectra(const Medium& medium) {
   return result;
 }
 
-struct Span {
+struct RuleSpan {
   const char* name;
   double lowest_deg;
   double highest_deg;
@@ -60,9 +60,9 @@ struct Span {
 
 /// Holds the RMS of X, Y, Z and S over the sky; `what(radiance)` gives the right ones and those under test.
 using Pair = std::pair<Xyzs, Xyzs>;
-void compare(const SkySpectra& sky, const std::string& name, const std::vector<Span>& spans,
-             const std::function<Pair(const std::vector<double>&)>& what) {
-  for (const Span& span : spans) {
+void compare_rule(const SkySpectra& sky, const std::string& name, const std::vector<RuleSpan>& spans,
+                  const std::function<Pair(const std::vector<double>&)>& what) {
+  for (const RuleSpan& span : spans) {
     std::array<test::ErrorSum, 4> sums;
     for (const SkySpectra::Entry& entry : sky.entries) {
       if (entry.light_deg >= span.lowest_deg && entry.light_deg <= span.highest_deg) {
@@ -91,16 +91,16 @@ void eight_wavelengths(const Medium& medium, const SkySpectra& sky, const std::s
     ASSERT_TRUE(found != sky.wavelengths_nm.end() && *found == nm);
     places.push_back(static_cast<std::size_t>(found - sky.wavelengths_nm.begin()));
   }
-  compare(sky, name + ", eight wavelengths",
-          {{"light above 0 degrees", 0.0, 90.0, 0.2},
-           {"0 to -6 degrees", -6.0, -0.1, 1.0},
-           {"-6 to -12 degrees", -12.0, -6.1, 1.0}},
-          [&](const std::vector<double>& radiance) {
-            std::vector<double> few(places.size());
-            std::transform(places.begin(), places.end(), few.begin(),
-                           [&](std::size_t place) { return radiance[place]; });
-            return Pair{exact(radiance), rule.weights(few)};
-          });
+  compare_rule(sky, name + ", eight wavelengths",
+               {{"light above 0 degrees", 0.0, 90.0, 0.2},
+                {"0 to -6 degrees", -6.0, -0.1, 1.0},
+                {"-6 to -12 degrees", -12.0, -6.1, 1.0}},
+               [&](const std::vector<double>& radiance) {
+                 std::vector<double> few(places.size());
+                 std::transform(places.begin(), places.end(), few.begin(),
+                                [&](std::size_t place) { return radiance[place]; });
+                 return Pair{exact(radiance), rule.weights(few)};
+               });
 }
 
 TEST(SpectralRule, ClearAirAndItsMoonlightThroughTheMatrix) {
@@ -115,13 +115,13 @@ TEST(SpectralRule, ClearAirAndItsMoonlightThroughTheMatrix) {
     const SpectralWeights exact = spectral_weights(moon, sky.wavelengths_nm);
     const Mat4 matrix = response_matrix(solar_irradiance_1au(), moon);
     const double moon_lux = integrate_xyzs(moon).y;
-    compare(sky, "Moon of phase angle " + std::to_string(static_cast<int>(phase)) + " through the Sun's light",
-            {{"above 0 degrees", 0.0, 90.0, 0.5}, {"0 to -12 degrees", -12.0, -0.1, 0.5}},
-            [&](const std::vector<double>& radiance) {
-              const Xyzs s = sun(radiance);
-              const Vec4 m = matrix * Vec4(s.x, s.y, s.z, s.s) * (moon_lux / sun_lux);
-              return Pair{exact(radiance), Xyzs{m.x, m.y, m.z, m.w}};
-            });
+    compare_rule(sky, "Moon of phase angle " + std::to_string(static_cast<int>(phase)) + " through the Sun's light",
+                 {{"above 0 degrees", 0.0, 90.0, 0.5}, {"0 to -12 degrees", -12.0, -0.1, 0.5}},
+                 [&](const std::vector<double>& radiance) {
+                   const Xyzs s = sun(radiance);
+                   const Vec4 m = matrix * Vec4(s.x, s.y, s.z, s.s) * (moon_lux / sun_lux);
+                   return Pair{exact(radiance), Xyzs{m.x, m.y, m.z, m.w}};
+                 });
   }
 }
 

@@ -8,6 +8,7 @@
 #include "vesper/light/sunlight.hpp"
 
 #include "support/measured_light.hpp"
+#include "support/thorough.hpp"
 #include "support/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <numbers>
 #include <string>
@@ -140,7 +140,7 @@ TEST(ReferenceTransport, ConservativeAirReturnsWhatItReceives) {
   // Lights of irradiance 1 over the whole sphere are a field of radiance 1 per steradian and stay one in air and over
   // ground that absorb nothing, wherever one looks.
   test::ErrorSum sum;
-  if (std::getenv("VESPER_TEST_FULL") != nullptr) {
+  if (test::thorough()) {
     for (const Look look : {Look::down_from_the_top, Look::up_from_the_ground, Look::level}) {
       for (const auto& [thickness, asymmetry] : {std::pair{1.0, 0.8}, {4.0, 0.0}, {1.0, -0.5}}) {
         sum.add(100.0 * surplus(conservative(thickness, asymmetry), look, 0.0012));

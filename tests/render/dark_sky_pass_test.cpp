@@ -211,6 +211,37 @@ TEST_F(DarkSkyPassTest, LayersAddUpAndTheGroundIsDarkerThanTheSky) {
   EXPECT_NEAR(glow.pixel(24, 0)[1], 0.001F, 1.0e-4F);
 }
 
+TEST_F(DarkSkyPassTest, WhatIsInTheAirIsTheSameDrawnWithTheSky) {
+  options.air.sky_tables = tables;
+  options.dark_sky.glow = {0.0003 * candela_per_m2, 90.0 * deg, 30.0 * kilometre};
+  // A setting crescent, whose light in the air is of the dark sky's order.
+  for (const double height_km : {0.0, 11.0, 70.0, 200.0}) {
+    const SkyState sky =
+        sky_state(parse_instant("2026-08-16T21:15:00Z"), {28.3 * deg, -16.5 * deg, height_km * kilometre});
+    const auto drawn = [&](std::initializer_list<Layer> layers, bool together) {
+      options.layers = layers_of(layers);
+      const FramePlan plan = plan_frame(sky, view, {}, options);
+      if (plan.dark_sky != nullptr) {
+        EXPECT_EQ(plan.dark_sky->air_with_sky, together) << height_km << " km";
+      }
+      return renderer.render(sky, view, plan);
+    };
+    const gpu::Frame all = drawn({Layer::sky, Layer::airglow, Layer::sky_glow, Layer::ground}, height_km < 90.0);
+    const gpu::Frame moonlit = drawn({Layer::sky, Layer::ground}, false);
+    const gpu::Frame dark = drawn({Layer::airglow, Layer::sky_glow, Layer::ground}, false);
+    double worst = 0.0;
+    double share = 0.0;
+    for (std::size_t i = 0; i < all.xyzs.size(); ++i) {
+      const double wanted = static_cast<double>(moonlit.xyzs[i]) + static_cast<double>(dark.xyzs[i]);
+      worst = std::max(worst, std::abs(static_cast<double>(all.xyzs[i]) - wanted) / std::max(wanted, 1.0e-9));
+      share += wanted > 0.0 ? static_cast<double>(dark.xyzs[i]) / wanted / static_cast<double>(all.xyzs.size()) : 0.0;
+    }
+    std::printf("in one draw, %5.1f km: worst %.5f, dark sky %.2f of the light\n", height_km, worst, share);
+    EXPECT_GT(share, 0.1);
+    EXPECT_LT(worst, 1.0e-5);
+  }
+}
+
 TEST_F(DarkSkyPassTest, NothingIsDrawnWithoutItsLayers) {
   options.layers = layers_of({Layer::stars, Layer::planets, Layer::ground});
   const FramePlan plan = plan_frame(evening(), view, {}, options);

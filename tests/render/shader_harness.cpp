@@ -27,6 +27,7 @@ std::vector<glm::vec4> evaluate_on_gpu(const std::string& expression, const Inpu
 #include "lib/star_psf.glsl"
 #include "lib/refraction.glsl"
 #include "lib/extinction.glsl"
+#include "lib/disc.glsl"
 #include "lib/scintillation.glsl"
 #include "lib/eclipse.glsl"
 #include "lib/moon_shadow.glsl"

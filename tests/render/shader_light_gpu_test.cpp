@@ -2,6 +2,7 @@
 #include "render/shader_harness.hpp"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace vesper::test {
 namespace {
@@ -58,6 +59,19 @@ TEST_F(ShaderLightGpu, EachFunctionAgreesWithItsTwin) {
        {4, 5, 0, 0},
        61,
        2.0e-4F},
+      {"disc_lit_arc",
+       fmt::format("vec4({0}.middle + {0}.radius * sin({0}.start), {0}.middle + {0}.radius * sin({0}.end), 0, 0)",
+                   "disc_lit_arc(v.xy, vec2(0.11, 0.04), vec3(sin(v.z), 0.0, -cos(v.z)), 0.06)"),
+       [](const glm::vec4& v) {
+         const f32::DiscArc arc =
+             f32::disc_lit_arc(glm::vec2(v), {0.11F, 0.04F}, {std::sin(v.z), 0.0F, -std::cos(v.z)}, 0.06F);
+         return glm::vec4(arc.middle + arc.radius * std::sin(arc.start), arc.middle + arc.radius * std::sin(arc.end), 0,
+                          0);
+       },
+       {-1.013F, -0.987F, 1.7123F, 0},
+       {0.991F, 1.017F, 3.0917F, 0},
+       18,
+       5.0e-3F},
       {"lunar laws",
        "vec4(lunar_law(v.x).seeliger, lunar_law(v.x).lambert, cheap_lunar_law(v.x).seeliger, lunar_phase(v.x))",
        [](const glm::vec4& v) {

@@ -1,10 +1,10 @@
 // The light of a star is conserved: its pixels' luminance times solid angle sums to its illuminance, for any
 // projection, field, size and sub-pixel position.
 #include "render/render_fixture.hpp"
+#include "support/thorough.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace vesper::test {
@@ -105,7 +105,7 @@ TEST_P(StarFlux, SumsToTheIlluminance) {
 
 /// Corners and middles of the grid of fields and sizes; `./run test --full` takes all of it.
 std::vector<FluxCase> flux_cases() {
-  if (std::getenv("VESPER_TEST_FULL") == nullptr) {
+  if (!test::thorough()) {
     return {{Projection::perspective, 0.5, 256},     {Projection::perspective, 0.5, 4096},
             {Projection::perspective, 60.0, 1024},   {Projection::perspective, 140.0, 256},
             {Projection::perspective, 169.9, 4096},  {Projection::fisheye, 0.5, 1024},

@@ -14,7 +14,6 @@ namespace vesper {
 namespace {
 
 using test::ErrorSum;
-using test::seconds_between;
 
 /// The common area of two discs over the first one's, by adding up chords (midpoint rule in the angle).
 double covered_by_chords(double radius, double other, double separation) {
@@ -186,15 +185,15 @@ void expect_ordered(const LocalSolarEclipse& local) {
   EXPECT_EQ(c1.has_value() && c4.has_value(), local.type != SolarEclipseType::none);
   EXPECT_EQ(c2.has_value() && c3.has_value(), inner);
   if (c1 && c4) {
-    EXPECT_LT(seconds_between(c1->instant, local.maximum.instant), 0.0);
-    EXPECT_GT(seconds_between(c4->instant, local.maximum.instant), 0.0);
-    EXPECT_LT(seconds_between(c4->instant, c1->instant), 4.5 * 3600.0);
+    EXPECT_LT(test::seconds_between(c1->instant, local.maximum.instant), 0.0);
+    EXPECT_GT(test::seconds_between(c4->instant, local.maximum.instant), 0.0);
+    EXPECT_LT(test::seconds_between(c4->instant, c1->instant), 4.5 * 3600.0);
   }
   if (c2 && c3) {
-    EXPECT_LE(seconds_between(c2->instant, local.maximum.instant), 0.0);
-    EXPECT_GE(seconds_between(c3->instant, local.maximum.instant), 0.0);
-    EXPECT_LT(seconds_between(c1->instant, c2->instant), 0.0);
-    EXPECT_GT(seconds_between(c4->instant, c3->instant), 0.0);
+    EXPECT_LE(test::seconds_between(c2->instant, local.maximum.instant), 0.0);
+    EXPECT_GE(test::seconds_between(c3->instant, local.maximum.instant), 0.0);
+    EXPECT_LT(test::seconds_between(c1->instant, c2->instant), 0.0);
+    EXPECT_GT(test::seconds_between(c4->instant, c3->instant), 0.0);
   }
   EXPECT_TRUE(local.state.obscuration >= 0.0 && local.state.obscuration <= 1.0);
   EXPECT_TRUE(local.position_angle.to(deg) >= 0.0 && local.position_angle.to(deg) <= 360.0);
@@ -214,14 +213,14 @@ TEST(LocalSolarEclipse, HoldsAtPolesDateLineAndHeights) {
             local_solar_eclipse(eclipse.greatest, {latitude * deg, -180.0 * deg, height * metre});
         expect_ordered(east);
         EXPECT_EQ(east.type, west.type);
-        EXPECT_NEAR(seconds_between(east.maximum.instant, west.maximum.instant), 0.0, 1e-3);
+        EXPECT_NEAR(test::seconds_between(east.maximum.instant, west.maximum.instant), 0.0, 1e-3);
         EXPECT_NEAR(east.state.magnitude, west.state.magnitude, 1e-9);
       }
     }
     // At the place of greatest eclipse there is one, at that instant or close to it.
     const LocalSolarEclipse there = local_solar_eclipse(eclipse.greatest, eclipse.place);
     EXPECT_NE(there.type, SolarEclipseType::none) << time;
-    EXPECT_LT(std::abs(seconds_between(there.maximum.instant, eclipse.greatest)), 120.0) << time;
+    EXPECT_LT(std::abs(test::seconds_between(there.maximum.instant, eclipse.greatest)), 120.0) << time;
   }
 }
 
@@ -236,7 +235,7 @@ TEST(LocalSolarEclipse, TotalityShrinksToNothingAtThePathsEdge) {
     expect_ordered(local);
     if (local.type == SolarEclipseType::total) {
       ASSERT_EQ(partial, 0);
-      const double lasts = seconds_between(local.contacts[2]->instant, local.contacts[1]->instant);
+      const double lasts = test::seconds_between(local.contacts[2]->instant, local.contacts[1]->instant);
       ASSERT_LT(lasts, before);
       before = lasts;
       ++total;
@@ -260,19 +259,19 @@ TEST(EclipseSearch, HoldsInFarYears) {
     EXPECT_TRUE(lunar.size() >= 40 && lunar.size() <= 60) << time;
     EXPECT_TRUE(solar.size() >= 40 && solar.size() <= 60) << time;
     for (std::size_t i = 1; i < solar.size(); ++i) {
-      EXPECT_GT(seconds_between(solar[i].greatest, solar[i - 1].greatest), 29.0 * 86400.0);
+      EXPECT_GT(test::seconds_between(solar[i].greatest, solar[i - 1].greatest), 29.0 * 86400.0);
     }
     for (std::size_t i = 0; i < lunar.size(); ++i) {
-      EXPECT_TRUE(i == 0 || seconds_between(lunar[i].greatest, lunar[i - 1].greatest) > 29.0 * 86400.0);
+      EXPECT_TRUE(i == 0 || test::seconds_between(lunar[i].greatest, lunar[i - 1].greatest) > 29.0 * 86400.0);
       const Instant* previous = nullptr;
       for (const std::optional<Instant>& contact : lunar[i].contacts) {
         if (contact) {
-          EXPECT_TRUE(previous == nullptr || seconds_between(*contact, *previous) > 0.0);
+          EXPECT_TRUE(previous == nullptr || test::seconds_between(*contact, *previous) > 0.0);
           previous = &*contact;
         }
       }
       ASSERT_NE(previous, nullptr);
-      EXPECT_LT(seconds_between(*previous, *lunar[i].contact(LunarContact::p1)), 6.6 * 3600.0);
+      EXPECT_LT(test::seconds_between(*previous, *lunar[i].contact(LunarContact::p1)), 6.6 * 3600.0);
     }
   }
 }

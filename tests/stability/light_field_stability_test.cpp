@@ -17,31 +17,25 @@
 namespace vesper {
 namespace {
 
-constexpr LightFieldSize small{10, 10, 4, 10, 4, 0.3, 1.0, 0.1, 4};
-
-Vec3 toward(double azimuth_deg, double altitude_deg) {
-  const double azimuth = azimuth_deg * std::numbers::pi / 180.0;
-  const double altitude = altitude_deg * std::numbers::pi / 180.0;
-  return {std::cos(altitude) * std::cos(azimuth), std::cos(altitude) * std::sin(azimuth), std::sin(altitude)};
-}
+constexpr LightFieldSize small_field{10, 10, 4, 10, 4, 0.3, 1.0, 0.1, 4};
 
 void expect_possible_everywhere(const Medium& medium, const std::string& name) {
   const std::vector<double> wavelengths{440.0, 550.0, 680.0};
   const SampledAir air(medium);
   const SpectralAir optics(medium, wavelengths);
-  const LightField field(air, optics, small);
+  const LightField field(air, optics, small_field);
   for (const double height : {0.0, 1.0e-9, 0.5, 20.0, 99.999, 100.0, 130.0, 40000.0}) {
     for (const double light : {90.0, 45.0, 0.0, -1.0e-9, -0.2, -5.0, -30.0, -90.0}) {
       for (const double view : {90.0, 30.0, 0.0, -1.0e-9, -0.5, -10.0, -90.0}) {
         for (const double azimuth : {0.0, 90.0, 180.0}) {
-          const SkyQuery query{height * kilometre, toward(0.0, light), 0.2666 * deg, toward(azimuth, view)};
+          const SkyQuery query{height * kilometre, test::toward(0.0, light), 0.2666 * deg, test::toward(azimuth, view)};
           for (const double radiance : field.radiance(query)) {
             EXPECT_TRUE(std::isfinite(radiance) && radiance >= 0.0)
                 << name << ", height " << height << " km, light " << light << ", view " << view << ": " << radiance;
           }
         }
       }
-      for (const double irradiance : field.diffuse_irradiance(toward(0.0, light).z)) {
+      for (const double irradiance : field.diffuse_irradiance(test::toward(0.0, light).z)) {
         EXPECT_TRUE(std::isfinite(irradiance) && irradiance >= 0.0) << name;
       }
     }
@@ -91,7 +85,7 @@ std::vector<f64::Light> in_double(const std::vector<Lanes>& lights) {
 TEST(LightFieldStability, SinglePrecisionAgainstDouble) {
   const SampledAir air(clear_medium());
   const SpectralAir optics(clear_medium(), {440.0, 500.0, 550.0, 680.0});
-  const LightFieldModel model(air, optics, small, 0);
+  const LightFieldModel model(air, optics, small_field, 0);
   ThreadedLightGatherer gatherer(model, 0);
   const LightFieldTables tables = solve_light_field(model, gatherer, 0).tables;
   const std::vector<f64::Light> field = in_double(tables.field);
@@ -109,7 +103,7 @@ TEST(LightFieldStability, SinglePrecisionAgainstDouble) {
       const LightRay ray = model.ray(air.ground_km() + height_km, cos_zenith, 0.15, 0.3);
       for (const double sun : {90.0, 30.0, 0.2, 0.0, -1.0, -8.0, -18.0, -89.9}) {
         for (const double cos_azimuth : {1.0, 0.0, -1.0}) {
-          const f32::LightPlace light = light_place(ray, toward(0.0, sun).z, cos_azimuth);
+          const f32::LightPlace light = light_place(ray, test::toward(0.0, sun).z, cos_azimuth);
           const f64::LightPlace light64{light.vertical, light.level, light.cos_angle};
           for (const f32::LightStep& step : ray.steps) {
             const f64::LightStep step64 = in_double(step);
@@ -149,19 +143,19 @@ TEST(LightFieldStability, RefusesMoreWavelengthsThanItHolds) {
   std::iota(wavelengths.begin(), wavelengths.end(), 450.0);
   const SampledAir air(published_medium());
   const SpectralAir optics(published_medium(), wavelengths);
-  EXPECT_THROW(LightField(air, optics, small), Error);
+  EXPECT_THROW(LightField(air, optics, small_field), Error);
 }
 
 TEST(LightFieldStability, RefusesSizesThatHoldNothing) {
   const SampledAir air(published_medium());
   const SpectralAir optics(published_medium(), {550.0});
-  LightFieldSize size = small;
+  LightFieldSize size = small_field;
   size.heights = 1;
   EXPECT_THROW(LightField(air, optics, size), Error);
-  size = small;
+  size = small_field;
   size.later_zeniths = 2;
   EXPECT_THROW(LightField(air, optics, size), Error);
-  size = small;
+  size = small_field;
   size.least_step_km = 0.0;
   EXPECT_THROW(LightField(air, optics, size), Error);
 }

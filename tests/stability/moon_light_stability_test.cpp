@@ -145,7 +145,7 @@ SkyState some_sky() {
 }
 
 TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
-  const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 32), 1024);
+  const MoonGlobe globe = moon_globe(test::map_of(test::waved_surface, 32), 1024);
   for (const Tier tier : {Tier::cheap, Tier::standard}) {
     for (const double phase : phases()) {
       SCOPED_TRACE(phase);
@@ -157,7 +157,7 @@ TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
       sky.moon.subsolar = {phase * deg, 0.0 * deg};
       sky.lunar_eclipse.penumbral_magnitude = -1.0;
       sky.lunar_eclipse.axis = glm::normalize(sky.lunar_eclipse.moon_km) * (phase < 90.0 ? 1.0 : -1.0);
-      const MoonDisc disc = moon_disc(sky, samples);
+      const MoonDisc disc = moon_disc(sky, globe);
       for (const double value : {disc.illuminance.x, disc.illuminance.y, disc.illuminance.z, disc.illuminance.s,
                                  disc.mean_luminance.to(candela_per_m2)}) {
         ASSERT_TRUE(std::isfinite(value) && value >= 0.0 && value < 1.0e4) << value;
@@ -176,13 +176,13 @@ TEST(MoonLightStability, DiscsAtExactOppositionAndConjunction) {
 }
 
 TEST(MoonLightStability, EclipseSharesOfOneAreNoEclipse) {
-  const MoonSamples samples = sample_moon(test::map_of(test::waved_surface, 16), 256);
-  const MoonDisc disc = moon_disc(some_sky(), samples);
+  const MoonGlobe globe = moon_globe(test::map_of(test::waved_surface, 16), 256);
+  const MoonDisc disc = moon_disc(some_sky(), globe);
   const Vec3 observer = disc.distance / (1737.4 * kilometre) * disc.to_observer;
-  const Vec4 whole = sum_moon_light(samples, observer, disc.lighting, [](const Vec3&) { return Vec4(1.0); });
+  const Vec4 whole = sum_moon_light(globe.samples, observer, disc.lighting, [](const Vec3&) { return Vec4(1.0); });
   EXPECT_NEAR(whole.y, disc.illuminance.y, 1.0e-5 * disc.illuminance.y);
   EXPECT_NEAR(whole.w, disc.illuminance.s, 1.0e-5 * disc.illuminance.s);
-  const Vec4 dark = sum_moon_light(samples, observer, disc.lighting, [](const Vec3&) { return Vec4(0.0); });
+  const Vec4 dark = sum_moon_light(globe.samples, observer, disc.lighting, [](const Vec3&) { return Vec4(0.0); });
   EXPECT_GT(dark.y, 0.0);
   EXPECT_LT(dark.y, 1.0e-3 * whole.y);
 }

@@ -27,9 +27,7 @@ namespace {
 
 using std::numbers::pi;
 
-const SkyTableSize small{6, 5, 8, 16, {8, 6, 3, 6, 3, 0.4, 2.0, 0.1, 3}};
-
-Vec3 toward(double azimuth_deg, double altitude_deg) { return test::direction(azimuth_deg * deg, altitude_deg * deg); }
+const SkyTableSize small_tables{6, 5, 8, 16, {8, 6, 3, 6, 3, 0.4, 2.0, 0.1, 3}};
 
 bool possible(const Xyzs& light) {
   return std::isfinite(light.x) && std::isfinite(light.y) && std::isfinite(light.z) && std::isfinite(light.s) &&
@@ -83,8 +81,8 @@ public:
             ? one_of<double>({0.0, 1.0e-9, 1.0e-3, thickness_km - 0.05, thickness_km, thickness_km + 1.0e-9, 4.0e4})
             : thickness_km * std::pow(between(0.0, 1.1), 3.0);
     const double azimuth_deg = one_in(3) ? one_of<double>({0.0, 180.0, 90.0}) : between(0.0, 360.0);
-    SkyQuery result{height_km * kilometre, toward(0.0, altitude_deg()), one_of<double>({0.0, 0.2666, 1.0}) * deg,
-                    toward(azimuth_deg, altitude_deg())};
+    SkyQuery result{height_km * kilometre, test::toward(0.0, altitude_deg()), one_of<double>({0.0, 0.2666, 1.0}) * deg,
+                    test::toward(azimuth_deg, altitude_deg())};
     if (one_in(20)) {
       result.view_direction = (one_in(2) ? 1.0 : -1.0) * result.light_direction;
     }
@@ -125,7 +123,7 @@ void expect_possible(const SkyTables& tables, std::size_t count, unsigned seed, 
 TEST(SkyTablesStability, AMillionRandomLookUpsInRandomMedia) {
   constexpr unsigned media = 20;
   for (unsigned i = 0; i < media; ++i) {
-    expect_possible(make_sky_tables(Random(i).medium(), small), 50000, 1000 * i, "medium " + std::to_string(i));
+    expect_possible(make_sky_tables(Random(i).medium(), small_tables), 50000, 1000 * i, "medium " + std::to_string(i));
   }
 }
 
@@ -134,18 +132,20 @@ TEST(SkyTablesStability, NoAirTooMuchAirAndNoGround) {
   black.ground_albedo = constant_law(0.0);
   Medium nothing = test::scaled(published_medium(), 0.0);
   nothing.ground_albedo = constant_law(0.0);
-  expect_possible(make_sky_tables(black, small), 20000, 1, "black ground");
-  expect_possible(make_sky_tables(test::scaled(published_medium(), 100.0), small), 20000, 2, "a hundredfold");
-  expect_possible(make_sky_tables(test::scaled(published_medium(), 0.0), small), 20000, 3, "no air");
-  const SkyTables empty = make_sky_tables(nothing, small);
+  expect_possible(make_sky_tables(black, small_tables), 20000, 1, "black ground");
+  expect_possible(make_sky_tables(test::scaled(published_medium(), 100.0), small_tables), 20000, 2, "a hundredfold");
+  expect_possible(make_sky_tables(test::scaled(published_medium(), 0.0), small_tables), 20000, 3, "no air");
+  const SkyTables empty = make_sky_tables(nothing, small_tables);
   expect_possible(empty, 20000, 4, "nothing");
-  EXPECT_LT(sky_luminance(empty, {0.0 * kilometre, toward(0.0, 30.0), 0.0 * deg, toward(50.0, 20.0)}).y, 1.0e-20);
+  EXPECT_LT(sky_luminance(empty, {0.0 * kilometre, test::toward(0.0, 30.0), 0.0 * deg, test::toward(50.0, 20.0)}).y,
+            1.0e-20);
 }
 
 TEST(SkyTablesStability, SmallestTables) {
-  expect_possible(make_sky_tables(published_medium(), {2, 2, 2, 2, small.field}), 20000, 5, "two nodes everywhere");
-  EXPECT_THROW((void)make_sky_tables(published_medium(), {1, 5, 8, 16, small.field}), Error);
-  EXPECT_THROW((void)make_sky_tables(published_medium(), {6, 5, 8, 257, small.field}), Error);
+  expect_possible(make_sky_tables(published_medium(), {2, 2, 2, 2, small_tables.field}), 20000, 5,
+                  "two nodes everywhere");
+  EXPECT_THROW((void)make_sky_tables(published_medium(), {1, 5, 8, 16, small_tables.field}), Error);
+  EXPECT_THROW((void)make_sky_tables(published_medium(), {6, 5, 8, 257, small_tables.field}), Error);
 }
 
 /// Tables as programs use them, made once.
@@ -161,14 +161,14 @@ double luminance(double height_km, const Vec3& light, const Vec3& view) {
 TEST(SkyTablesStability, NothingDependsOnTheAzimuthWithTheLightAtAPole) {
   for (const double height_km : {0.0, 11.0, 300.0}) {
     for (const double altitude : {70.0, 10.0, 1.0e-6, -30.0, -80.0}) {
-      const double one = luminance(height_km, toward(0.0, 90.0), toward(0.0, altitude));
+      const double one = luminance(height_km, test::toward(0.0, 90.0), test::toward(0.0, altitude));
       for (const double azimuth : {45.0, 133.0, 180.0}) {
-        const double other = luminance(height_km, toward(0.0, 90.0), toward(azimuth, altitude));
+        const double other = luminance(height_km, test::toward(0.0, 90.0), test::toward(azimuth, altitude));
         EXPECT_NEAR(other, one, 1.0e-4 * one) << height_km << " km, " << altitude << ", " << azimuth;
       }
     }
     // By night all is dark.
-    EXPECT_LT(luminance(height_km, toward(0.0, -90.0), toward(20.0, 30.0)), 1.0e-12);
+    EXPECT_LT(luminance(height_km, test::toward(0.0, -90.0), test::toward(20.0, 30.0)), 1.0e-12);
   }
 }
 
@@ -176,11 +176,12 @@ TEST(SkyTablesStability, NoStepAtZenithNadirAndOpposition) {
   constexpr double aside_deg = 1.0e-4;
   for (const double light : {89.9999, 40.0, 0.0, -5.0}) {
     for (const double height_km : {0.0, 11.0}) {
-      const Vec3 sun = toward(0.0, light);
+      const Vec3 sun = test::toward(0.0, light);
       for (const double place : {90.0, -90.0}) {
-        const double middle = luminance(height_km, sun, toward(0.0, place));
+        const double middle = luminance(height_km, sun, test::toward(0.0, place));
         for (const double azimuth : {0.0, 90.0, 180.0}) {
-          const double beside = luminance(height_km, sun, toward(azimuth, place - std::copysign(aside_deg, place)));
+          const double beside =
+              luminance(height_km, sun, test::toward(azimuth, place - std::copysign(aside_deg, place)));
           EXPECT_NEAR(beside, middle, 1.0e-4 * middle) << "light " << light << ", view " << place;
         }
       }
@@ -191,10 +192,10 @@ TEST(SkyTablesStability, NoStepAtZenithNadirAndOpposition) {
           if (std::abs(altitude) < 1.0) {
             continue; // that is the horizon's case
           }
-          const double middle = luminance(height_km, sun, toward(azimuth, altitude));
+          const double middle = luminance(height_km, sun, test::toward(azimuth, altitude));
           for (const double step : {-aside_deg, aside_deg}) {
-            EXPECT_NEAR(luminance(height_km, sun, toward(azimuth + step, altitude)), middle, 2.0e-4 * middle);
-            EXPECT_NEAR(luminance(height_km, sun, toward(azimuth, altitude + step)), middle, 2.0e-4 * middle);
+            EXPECT_NEAR(luminance(height_km, sun, test::toward(azimuth + step, altitude)), middle, 2.0e-4 * middle);
+            EXPECT_NEAR(luminance(height_km, sun, test::toward(azimuth, altitude + step)), middle, 2.0e-4 * middle);
           }
         }
       }
@@ -203,14 +204,14 @@ TEST(SkyTablesStability, NoStepAtZenithNadirAndOpposition) {
 }
 
 TEST(SkyTablesStability, TheHorizonHasNoBlocks) {
-  // The change from one small step of altitude to the next is itself nearly the same at the next: nothing glows in
-  // bands, however high the exposure.
+  // The change from one small_tables step of altitude to the next is itself nearly the same at the next: nothing glows
+  // in bands, however high the exposure.
   for (const double light : {30.0, 1.0, -2.0, -4.0, -8.0, -12.0, -16.0}) {
     for (const double azimuth : {0.0, 60.0, 180.0}) {
       test::ErrorSum bends;
       constexpr double step_deg = 0.01;
       const auto logarithm = [&](int i) {
-        return std::log(luminance(0.0, toward(0.0, light), toward(azimuth, 0.01 + i * step_deg)));
+        return std::log(luminance(0.0, test::toward(0.0, light), test::toward(azimuth, 0.01 + i * step_deg)));
       };
       for (int i = 1; i < 500; ++i) {
         bends.add(100.0 * (logarithm(i - 1) - 2.0 * logarithm(i) + logarithm(i + 1)));
@@ -232,8 +233,8 @@ TEST(SkyTablesStability, BothSidesOfTheHorizonAreRight) {
     for (const double height_km : {0.05, 1.0, 11.0, 60.0}) {
       const double dip_deg = std::acos(6360.0 / (6360.0 + height_km)) * 180.0 / pi;
       for (const double aside_deg : {-0.03, 0.03}) {
-        const SkyQuery query{height_km * kilometre, toward(0.0, light), 0.2666 * deg,
-                             toward(60.0, aside_deg - dip_deg)};
+        const SkyQuery query{height_km * kilometre, test::toward(0.0, light), 0.2666 * deg,
+                             test::toward(60.0, aside_deg - dip_deg)};
         ++budget.stream;
         const double exact = reference.radiance(query, {weights.y}, budget).functionals[0].mean / lux;
         errors.add(100.0 * (sky_luminance(published(), query).y / exact - 1.0));
@@ -246,7 +247,9 @@ TEST(SkyTablesStability, BothSidesOfTheHorizonAreRight) {
 TEST(SkyTablesStability, FromTheGroundToSpaceWithoutAJump) {
   for (const double light : {40.0, 5.0, -3.0}) {
     for (const double view : {90.0, 20.0, 3.0, -40.0, -90.0}) {
-      const auto seen = [&](double height_km) { return luminance(height_km, toward(0.0, light), toward(70.0, view)); };
+      const auto seen = [&](double height_km) {
+        return luminance(height_km, test::toward(0.0, light), test::toward(70.0, view));
+      };
       const double brightest = std::max(seen(0.0), seen(400.0));
       double last = seen(0.0);
       for (int i = 1; i <= 2000; ++i) {
@@ -265,12 +268,14 @@ TEST(SkyTablesStability, FromTheGroundToSpaceWithoutAJump) {
 }
 
 TEST(SkyTablesStability, AxesEndWithoutAStep) {
-  const auto by_light = [](double light) { return luminance(0.0, toward(0.0, light), toward(40.0, 30.0)); };
+  const auto by_light = [](double light) { return luminance(0.0, test::toward(0.0, light), test::toward(40.0, 30.0)); };
   EXPECT_NEAR(by_light(90.0), by_light(89.999), 1.0e-4 * by_light(90.0));
   EXPECT_NEAR(by_light(-35.999), by_light(-36.001), 0.01 * by_light(-36.0));
   EXPECT_NEAR(by_light(-36.5), by_light(-80.0), 1.0e-3 * by_light(-80.0));
   EXPECT_LT(by_light(-36.0), 1.0e-10);
-  const auto by_height = [](double height_km) { return luminance(height_km, toward(0.0, 20.0), toward(40.0, 30.0)); };
+  const auto by_height = [](double height_km) {
+    return luminance(height_km, test::toward(0.0, 20.0), test::toward(40.0, 30.0));
+  };
   EXPECT_NEAR(by_height(0.0), by_height(1.0e-3), 1.0e-3 * by_height(0.0));
 }
 

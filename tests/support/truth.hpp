@@ -67,6 +67,9 @@ inline Vec3 direction(Angle longitude, Angle latitude) {
   return {c * std::cos(longitude.to(rad)), c * std::sin(longitude.to(rad)), std::sin(latitude.to(rad))};
 }
 
+/// The unit vector of an azimuth and an altitude in degrees, with x where the azimuth is 0 and y where it is 90.
+inline Vec3 toward(double azimuth_deg, double altitude_deg) { return direction(azimuth_deg * deg, altitude_deg * deg); }
+
 /// The angle between two directions, exact for small ones.
 inline Angle separation(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * rad;

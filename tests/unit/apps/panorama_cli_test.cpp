@@ -191,9 +191,11 @@ TEST_F(PanoramaCli, AnInterruptLeavesTheOldOutputAndNoOther) {
                     std::vector<float>(3600UL * 1800UL, 1.0F)};
   write_fits("in.fits", large);
   write("out.exr", "an earlier file");
-  // The shell that becomes the program tells its own number to one that waits.
-  const CommandResult stopped =
-      run("in.fits -o out.exr --face 1024", "me=$(exec sh -c 'echo $PPID'); { sleep 0.3; kill -INT $me; } & :");
+  // The shell that becomes the program tells its own number to one that waits until the program catches interrupts.
+  const CommandResult stopped = run("in.fits -o out.exr --face 1024",
+                                    "me=$(exec sh -c 'echo $PPID'); "
+                                    "caught() { sed -n 's/^SigCgt:.*\\(.\\)$/\\1/p' /proc/$me/status; }; "
+                                    "{ until [ $((0x$(caught) & 2)) != 0 ]; do sleep 0.01; done; kill -INT $me; } & :");
   EXPECT_NE(stopped.err.find("interrupted"), std::string::npos) << stopped.err;
   EXPECT_EQ(stopped.status, 1);
   EXPECT_TRUE(text("out.exr") == "an earlier file");
