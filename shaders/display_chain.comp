@@ -81,26 +81,29 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   vec3 color = cones * extended.xyz + rod_light * night_hue;
   vec3 tone = curve_at(max(color.y, 0.0) / (cones + rods));
   color *= tone.x * (1.0 / max(color.y, 1.0e-30));
-  float shown = tone.x;
+  float more = 0.0;
   if (point.y > 0.0) {
     float pixel_sr = 1.0 / max(pixels_per_steradian(at, picture), 1.0e-6);
     // A pixel in the middle of a star holds a fourth of its light.
     vec3 seen_point = seen_color(point, cone_share(point * (4.0 / point_image_sr * pixel_sr)));
-    float more = tone.y * point.y;
+    more = tone.y * point.y;
     if (points_as_seen != 0) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
       more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
     color += seen_point * (more / max(seen_point.y, 1.0e-30));
-    // The ceiling is what the display can show of that colour.
-    float asked = max(tone.x + more, 1.0e-30);
-    vec3 rgb = signal_from_xyz * color;
-    float ceiling = asked / max(max(rgb.x, rgb.y), max(rgb.z, asked / display.range_cd_m2));
-    shown = under_ceiling(tone.x, more, max(ceiling, tone.x));
-    color *= shown / asked;
   }
   // Of the light that a display adds to its floor.
-  return fit_to_gamut(signal_from_xyz * color, shown / display.range_cd_m2);
+  vec3 signal = signal_from_xyz * color;
+  float shown = tone.x;
+  if (more > 0.0) {
+    // The ceiling is what the display can show of that colour.
+    float asked = tone.x + more;
+    float ceiling = asked / max(max(signal.x, signal.y), max(signal.z, asked / display.range_cd_m2));
+    shown = under_ceiling(tone.x, more, max(ceiling, tone.x));
+    signal *= shown / asked;
+  }
+  return fit_to_gamut(signal, shown / display.range_cd_m2);
 }
 
 float encoded(float signal) {
