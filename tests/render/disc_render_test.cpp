@@ -263,5 +263,29 @@ TEST_F(Discs, TheMoonLeavesOfTheSunWhatTheEclipseSays) {
   }
 }
 
+TEST_F(Discs, NoSunlightGetsPastTheMoonInTotality) {
+  // Limbs that share a pixel are parallel, not independent.
+  const SkyState sky = sky_state(parse_instant("2026-08-12T18:29:20Z"), {42.34 * deg, -3.7 * deg, 860.0 * metre});
+  ASSERT_EQ(sky.solar_eclipse.obscuration, 1.0);
+  only(Layer::sun);
+  aim(sky.sun.direction_horizon);
+  view.fov = 4.0 * deg;
+  std::vector<double> lights;
+  for (const int size : {48, 120, 400}) {
+    view.width = view.height = size;
+    const gpu::Frame frame = render(sky);
+    expect_light(frame);
+    // Baumbach's law at the limb, in units of the disc's centre, which is less than 1.4 of its mean.
+    const double foot = 4.044e-6 * 1.4 * 1.96e9;
+    for (std::size_t i = 1; i < frame.xyzs.size(); i += 4) {
+      ASSERT_LT(static_cast<double>(frame.xyzs[i]), foot) << size;
+    }
+    lights.push_back(light_in(frame));
+  }
+  std::printf("light in totality at 48, 120 and 400 px: %.4g, %.4g, %.4g lx\n", lights[0], lights[1], lights[2]);
+  EXPECT_NEAR(lights[0] / lights[2], 1.0, 0.02);
+  EXPECT_NEAR(lights[1] / lights[2], 1.0, 0.01);
+}
+
 } // namespace
 } // namespace vesper::test
