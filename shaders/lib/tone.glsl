@@ -42,7 +42,7 @@ FN Real local_cone_share(Real photopic_cd_m2, Real scotopic_cd_m2) {
 
 // By how much a point that is plainly seen stands out more on a display than the law below asks for: a choice of taste, by
 // which stars of the magnitudes 1, 3 and 5 look on a monitor of 200 cd/m2 as they are remembered.
-CONSTANT Real point_prominence = Real(2.5);
+CONSTANT Real point_prominence = Real(5.0);
 
 // Factor by which a point is made brighter than its threshold asks for, by its illuminance in one pixel over the threshold.
 // The brightness of a point goes as the root of its light, that of a disc, such as a display makes of it, as the cube root
@@ -51,7 +51,7 @@ CONSTANT Real point_prominence = Real(2.5);
 // there and 6 % in all.
 FN Real point_boost(Real over_threshold) {
   Real x = Real(4.0) * over_threshold;
-  return Real(1.0) + point_prominence * x * x * sqrt(x) / (Real(16.0) + x * x);
+  return Real(1.0) + point_prominence * x * x * sqrt(x) / (Real(32.0) + x * x);
 }
 
 // A display luminance with a point's light on top: as much more where there is room, ever less towards the ceiling.
