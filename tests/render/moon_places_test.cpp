@@ -137,6 +137,7 @@ TEST_F(MoonPlaces, FeaturesLieWhereTheLibrationsPutThem) {
     // Lit from behind the observer and flat: only places count.
     plan.moon->disc.lighting.to_sun = plan.moon->disc.to_observer;
     plan.moon->disc.lighting.sun_law = {2.0, 0.0};
+    plan.moon->crescent_cells = 0.0;
     const gpu::Frame frame = renderer.render(sky, view, plan);
     const ReferenceDisc disc(row);
     for (std::size_t i = 0; i < features.size(); ++i) {
