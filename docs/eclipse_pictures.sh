@@ -30,10 +30,10 @@ aim() {
 }
 
 # stops OPTIONS...: of --exposure over --ev 15 (the Sun's disc asks for more than --ev has), as a photographer sets them:
-# the brightest of the picture, or its red, is just white. Of the corona, whose foot is that, three stops more are shown.
+# the brightest of the picture, or its red, is just white. Of the corona, whose foot is that, two stops more are shown.
 stops() {
   local covered=0
-  [[ $1 == corona ]] && covered=3
+  [[ $1 == corona ]] && covered=2
   shift
   "$bin/vesper-render" --quiet "$@" --size 100x100 -o "$tiles/meter.exr"
   oiiotool --stats "$tiles/meter.exr" | awk -v c="$covered" '/Stats Max/ {

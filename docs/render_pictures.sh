@@ -15,7 +15,7 @@ dusk() {
   echo "docs/pictures/$name.png"
 }
 
-# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian, as the eye has it.
+# picture NAME OPTIONS...: a winter evening at Greenwich, Orion on the meridian.
 picture() {
   local name=$1
   shift
@@ -34,10 +34,10 @@ milky_way() {
   echo "docs/pictures/$name.png"
 }
 
-# The whole sky: zenith in the middle, south below, east on the left.
+# The whole sky as the eye has it: zenith in the middle, south below, east on the left; two fields as a camera has them.
 picture tonight --projection fisheye --azimuth 180 --altitude 90 --fov 180 --size 1024x1024
-picture orion --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
-picture plough --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800
+picture orion --operator photographic --exposure -1 --projection perspective --azimuth 180 --altitude 36 --fov 32 --size 1200x800
+picture plough --operator photographic --exposure -1 --projection perspective --azimuth 42 --altitude 37 --fov 40 --size 1200x800
 "$render" --quiet --time 2026-03-18T21:00:00Z --latitude 28.3 --longitude -16.5 --height 2400 --seed 1 --projection perspective \
   --azimuth 270 --altitude 25 --fov 70 --size 1200x800 --solar-flux 80 --operator photographic -o docs/pictures/zodiacal.png
 echo docs/pictures/zodiacal.png
