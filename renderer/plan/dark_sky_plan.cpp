@@ -237,7 +237,8 @@ std::shared_ptr<const PlannedDarkSky> plan_dark_sky(const SkyState& sky, const L
   }
   PlannedDarkSky planned;
   planned.sources = dark_sky(sky, options);
-  planned.zodiacal = has(layers, Layer::zodiacal);
+  // A state put together by hand may have no Sun.
+  planned.zodiacal = has(layers, Layer::zodiacal) && sky.sun.distance > Length();
   planned.starlight = has(layers, Layer::milky_way);
   const bool again = before != nullptr && before->place->setting == setting;
   planned.place = again ? before->place : make_place(std::move(setting));

@@ -51,7 +51,7 @@ CONSTANT Real point_prominence = Real(5.0);
 // there and 6 % in all.
 FN Real point_boost(Real over_threshold) {
   Real x = Real(4.0) * over_threshold;
-  return Real(1.0) + point_prominence * x * x * sqrt(x) / (Real(32.0) + x * x);
+  return Real(1.0) + point_prominence * x * x * sqrt(x) / (Real(34.0) + x * x);
 }
 
 // A display luminance with a point's light on top: as much more where there is room, ever less towards the ceiling.
