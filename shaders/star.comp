@@ -73,7 +73,6 @@ struct PlacedStar {
   uint key;     // of its random numbers
   vec4 light;   // X, Y, Z, S illuminance behind the air, lux
   float radius; // of the billboard, pixels
-  float sigma;  // of the default spread, pixels
   float glare;  // cheap tier: intensity of the glare
   float pupil;  // that averages its scintillation, metres
 };
@@ -102,7 +101,7 @@ PlacedStar place(uint star) {
   light *= star_extinction(sin_altitude, light, air, extinction_table);
 #endif
   PlacedStar placed = PlacedStar(block.view_from_horizon * horizon, sin_altitude, hash_pair(numbers[star], block.seed),
-                                 light, 0.0, 0.0, 0.0, block.pupil_m);
+                                 light, 0.0, 0.0, block.pupil_m);
 #ifdef DISCS
   placed.pupil = disc_pupil(block.pupil_m, disc_rad[star], sin_altitude);
 #endif
@@ -116,8 +115,7 @@ PlacedStar place(uint star) {
   placed.radius = max(mueller_radius, min(1.5 * sqrt(placed.glare), 24.0));
 #else
   // From the light without scintillation: the spread must not breathe with it.
-  placed.sigma = psf_sigma;
-  placed.radius = psf_cut(light.y) * placed.sigma;
+  placed.radius = psf_cut(light.y) * psf_sigma;
 #endif
   return placed;
 }
@@ -152,24 +150,24 @@ StarBillboard billboard(PlacedStar star, int copy) {
   result.scale = 1.0 / radius;
   float sum = mueller_volume * mueller_radius * mueller_radius;
 #else
-  result.scale = vec2(psf_scale(star.sigma));
+  result.scale = vec2(psf_scale(psf_sigma));
   float sum;
   if (PROJECTION == projection_equirectangular) {
     // A round star is as wide as the picture at the pole. The sphere ends at the upper and lower edge: what the spread
     // would lose there stays in the rows that are left.
     float cos_latitude = sqrt(max(1.0 - float(star.direction.y * star.direction.y), 0.0));
     radius.x = min(star.radius / max(cos_latitude, 1.0e-6), 0.5 * size.x);
-    float wide_sigma = star.sigma * radius.x / star.radius;
+    float wide_sigma = psf_sigma * radius.x / star.radius;
     result.scale.x = psf_scale(wide_sigma);
     Box box = clipped(pixel, radius, vec2(-size.x, 0.0), vec2(2.0 * size.x, size.y));
     sum = psf_axis_sum(pixel.x, box.low.x, box.high.x, wide_sigma) *
-          psf_axis_sum(pixel.y, box.low.y, box.high.y, star.sigma);
+          psf_axis_sum(pixel.y, box.low.y, box.high.y, psf_sigma);
   } else if (PROJECTION == projection_cubemap) {
-    sum = face_sum(star.direction, 0, frame, star.radius, star.sigma) +
-          face_sum(star.direction, 1, frame, star.radius, star.sigma) +
-          face_sum(star.direction, 2, frame, star.radius, star.sigma);
+    sum = face_sum(star.direction, 0, frame, star.radius, psf_sigma) +
+          face_sum(star.direction, 1, frame, star.radius, psf_sigma) +
+          face_sum(star.direction, 2, frame, star.radius, psf_sigma);
   } else {
-    sum = box_sum(pixel, Box(floor(pixel - radius), ceil(pixel + radius)), star.sigma);
+    sum = box_sum(pixel, Box(floor(pixel - radius), ceil(pixel + radius)), psf_sigma);
   }
 #endif
   if (PROJECTION == projection_equirectangular && copy == 1) {

@@ -37,9 +37,6 @@ double octave_of(std::size_t node) { return f64::tone_lowest_octave + octaves_pe
 
 double in_dark(double luminance_cd_m2) { return std::max(luminance_cd_m2, f64::dark_background_cd_m2); }
 
-/// The share of the cones where a mesopic luminance is seen (CIE 191:2010).
-double cone_share(double seen_cd_m2) { return std::clamp(0.7670 + 0.3334 * std::log10(seen_cd_m2), 0.0, 1.0); }
-
 /// Rise of the logarithm of what a display adds to its floor, over the scene's logarithm of luminance, at which all
 /// that leaves the display has the scene's contrast. At most 2: a room so bright that it would take more hides the
 /// night.
@@ -224,7 +221,7 @@ double point_threshold_lux(double background_cd_m2, const AdaptationState& state
 
 /// A mesopic luminance as threshold_illuminance_lux counts it.
 double as_background(double seen_cd_m2) {
-  const double m = cone_share(seen_cd_m2);
+  const double m = f64::cone_share_of_octave(std::log2(seen_cd_m2));
   // S of light of that mesopic luminance and a usual star's S/P.
   const double rods = (1.0 - m) * f64::rods_at_555_nm;
   const double photopic = seen_cd_m2 * (m + rods) / (m + rods * f64::usual_star_sp_ratio);

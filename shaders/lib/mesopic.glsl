@@ -19,8 +19,14 @@ FN Real mesopic_luminance(Real photopic_cd_m2, Real scotopic_cd_m2, Real cone_sh
   return (cone_share * photopic_cd_m2 + rods * scotopic_cd_m2) / (cone_share + rods);
 }
 
-// The share of the cones, 0 to 1, in an eye adapted to a light: the m of CIE 191:2010 that solves
-// m = 0.7670 + 0.3334 log10 of the mesopic luminance it gives. 0 in the dark (below 0.005 cd/m2 scotopic), 1 by day
+// The share of the cones, 0 to 1, by log2 of the mesopic luminance in cd/m2 that it gives: m = 0.7670 + 0.3334 log10 of CIE
+// 191:2010.
+FN Real cone_share_of_octave(Real octave) {
+  return clamp(Real(0.7670) + Real(0.10036340) * octave, Real(0.0), Real(1.0));
+}
+
+// The share of the cones, 0 to 1, in an eye adapted to a light: the m of CIE 191:2010, which is that of the
+// mesopic luminance it gives. 0 in the dark (below 0.005 cd/m2 scotopic), 1 by day
 // (above 5 cd/m2 photopic), steady between. Halving, because the customary iteration swings about for reddish light
 // (S/P < 0.3). Within 1.2e-4.
 // Both luminances: 0 or more.
@@ -30,7 +36,7 @@ FN Real mesopic_cone_share(Real photopic_cd_m2, Real scotopic_cd_m2) {
   for (int i = 0; i < 12; ++i) {
     Real m = Real(0.5) * (low + high);
     Real seen = mesopic_luminance(photopic_cd_m2, scotopic_cd_m2, m);
-    bool more = Real(0.7670) + Real(0.3334) * log10_of(max(seen, Real(1.0e-30))) > m;
+    bool more = cone_share_of_octave(log2(max(seen, Real(1.0e-30)))) > m;
     low = more ? m : low;
     high = more ? high : m;
   }

@@ -30,11 +30,8 @@ FN vec3 tone_curve(Real luminance_cd_m2, sampler1D curve) {
   return vec3(texel.x + (at - node) * texel.y, texel.z, texel.w);
 }
 
-// Share of the cones in what is seen at one place, which adapts to itself: the first step of the iteration of CIE 191:2010
-// (mesopic.glsl). Within 0.08 of its solution for light of S/P from 0.5 to 2.5.
-FN Real cone_share_of_octave(Real octave) {
-  return clamp(Real(0.7670) + Real(0.10036340) * octave, Real(0.0), Real(1.0));
-}
+// Share of the cones in what is seen at one place, which adapts to itself: the first step of the iteration of CIE 191:2010.
+// Within 0.08 of its solution (mesopic_cone_share) for light of S/P from 0.5 to 2.5.
 FN Real local_cone_share(Real photopic_cd_m2, Real scotopic_cd_m2) {
   Real seen = mesopic_luminance(photopic_cd_m2, scotopic_cd_m2, Real(0.5));
   return cone_share_of_octave(log2(max(seen, Real(1.0e-30))));
