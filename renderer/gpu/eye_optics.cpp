@@ -165,17 +165,17 @@ struct EyeOptics::Pyramid {
 };
 
 EyeOptics::EyeOptics(const ShaderLibrary& library)
-    : blocks_programs_(library, {"eye_blocks.comp"}), halve_programs_(library, {"eye_halve.comp"}),
-      spread_(build_program(library, {"eye_spread.comp"})), cells_(build_program(library, {"eye_cells.comp"})),
-      beyond_(build_program(library, {"eye_beyond.comp"})), far_(build_program(library, {"eye_far.comp"})),
-      veil_(build_program(library, {"eye_veil.comp"})), seen_(build_program(library, {"eye_seen.comp"})),
-      uniforms_(make_dynamic_buffer(sizeof(EyeBlock))) {}
+    : blocks_programs_(library, {"eye_blocks.comp"}), points_(build_program(library, {"eye_points.comp"})),
+      halve_programs_(library, {"eye_halve.comp"}), spread_(build_program(library, {"eye_spread.comp"})),
+      cells_(build_program(library, {"eye_cells.comp"})), beyond_(build_program(library, {"eye_beyond.comp"})),
+      far_(build_program(library, {"eye_far.comp"})), veil_(build_program(library, {"eye_veil.comp"})),
+      seen_(build_program(library, {"eye_seen.comp"})), uniforms_(make_dynamic_buffer(sizeof(EyeBlock))) {}
 
 EyeOptics::~EyeOptics() = default;
 
-void EyeOptics::see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings) {
-  start(view, settings, points != nullptr);
-  add(frame, points, {0, view.height});
+void EyeOptics::see(const Texture& frame, const View& view, const EyeOpticsSettings& settings) {
+  start(view, settings, false);
+  add(frame, {0, view.height});
   finish();
 }
 
@@ -199,7 +199,7 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   const f64::EyeScatter& eye = observer_.scatter;
   glare_ = settings.glare;
   const f64::ProjectionFrame projection = projection_frame(view);
-  const bool wraps = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
+  wraps_ = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
   const auto real = [](double value) { return static_cast<float>(value); };
   EyeBlock block{};
   block.optics = {real(eye.narrow), real(eye.wide), real(eye.pigmented), real(eye.skirt)};
@@ -210,7 +210,7 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   block.cell_level = levels.cell_level;
   block.columns = levels.columns;
   block.lights = levels.cells() + static_cast<int>(levels.unseen);
-  block.wraps = wraps ? 1 : 0;
+  block.wraps = wraps_ ? 1 : 0;
   block.glare = settings.glare ? 1 : 0;
   block.acuity = settings.acuity ? 1 : 0;
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
@@ -232,11 +232,11 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   const std::array<const Texture*, 6> interpolated{&levels.spread,      &levels.veil, &levels.far_veil,
                                                    &levels.near_shares, &added_,      &shares_};
   for (const Texture* texture : interpolated) {
-    set_wrap(*texture, wraps);
+    set_wrap(*texture, wraps_);
   }
 }
 
-void EyeOptics::add(const Texture& frame, const Texture* points, const Strip& strip) {
+void EyeOptics::add(const Texture& frame, const Strip& strip) {
   const Pyramid& levels = *pyramid_;
   const ProgramHandle& program = blocks_programs_.get(levels.defines());
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
@@ -247,9 +247,19 @@ void EyeOptics::add(const Texture& frame, const Texture* points, const Strip& st
   glBindTextureUnit(0, frame.name());
   if (levels.points) {
     write_to(2, levels.extended, 0, GL_RGBA32F);
-    glBindTextureUnit(1, points->name());
   }
   run(program, levels.across(0), up(strip.rows, block_side));
+}
+
+void EyeOptics::add(const StripLight& light) {
+  add(light.frame, light.strip);
+  glProgramUniform2i(points_.name(), 0, light.strip.first_row / block_side, light.strip.rows);
+  glUseProgram(points_.name());
+  glBindTextureUnit(0, pyramid_->light.name());
+  glBindTextureUnit(1, light.points.name());
+  write_to(0, pyramid_->extended, 0, GL_RGBA32F);
+  light.tiles.dispatch(true);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void EyeOptics::finish() {

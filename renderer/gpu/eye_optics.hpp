@@ -4,6 +4,7 @@
 
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/gpu/display_mapping.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
@@ -63,13 +64,16 @@ public:
   void start(const View& view, const EyeOpticsSettings& settings, bool has_points);
   /// Takes in a strip, which starts at a multiple of 4 rows; strips come in any order.
   /// \param frame  rgba32f of the view's width, its row 0 the strip's first: all light, X, Y, Z in cd/m2 and S
-  /// \param points likewise: the part of it that comes from points; null for none
-  void add(const Texture& frame, const Texture* points, const Strip& strip);
+  void add(const Texture& frame, const Strip& strip);
+  /// Likewise, of a picture with points.
+  void add(const StripLight& light);
   /// Once all strips are in: makes what follows.
   void finish();
-  /// The three in one, of a picture in one piece.
-  void see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings);
+  /// The three in one, of a picture without points in one piece.
+  void see(const Texture& frame, const View& view, const EyeOpticsSettings& settings);
 
+  /// Whether the picture's left edge continues its right one, as that of an equirectangular one in whole blocks does.
+  [[nodiscard]] bool wraps() const { return wraps_; }
   /// Extended light in blocks of 4 x 4 pixels as it came in: rgba32f, of the size of added(); nothing past the picture.
   [[nodiscard]] const Texture& blocks() const;
   /// What extended light gains: rgba32f, X, Y, Z in cd/m2 and S.
@@ -87,6 +91,7 @@ private:
   void scatter();
 
   ProgramVariants blocks_programs_;
+  ProgramHandle points_;
   ProgramVariants halve_programs_;
   ProgramHandle spread_;
   ProgramHandle cells_;
@@ -100,6 +105,7 @@ private:
   std::unique_ptr<Pyramid> pyramid_;
   Observer observer_; ///< of the last picture
   bool glare_ = false;
+  bool wraps_ = false;
 };
 
 } // namespace vesper::gpu
