@@ -7,7 +7,6 @@ layout(std140, binding = 0) uniform EyeBlock {
   vec4 media;  // iris, parabola, wall; angles seen over angles in the scene
   vec2 size;   // pixels of the picture
   float focal;
-  int projection;
   int cell_level;
   int columns; // of cells
   int lights;  // cells and unseen sources
@@ -36,7 +35,7 @@ EyeScatter eye_scatter_here() {
   return scatter;
 }
 
-PixelFrame eye_frame() { return PixelFrame(eye.projection, eye.size, eye.focal); }
+PixelFrame eye_frame() { return PixelFrame(PROJECTION, eye.size, eye.focal); }
 
 float texel_side(int level) { return block_side * float(1 << level); } // pixels
 

@@ -11,7 +11,9 @@
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/plan/view.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vesper::gpu {
@@ -88,17 +90,12 @@ private:
     double pigmentation = 0.0;
     f64::EyeScatter scatter{}; ///< over its integral over the sphere
   };
+  enum class Stage : std::uint8_t { blocks, points, halve, spread, cells, beyond, far, veil, seen };
+  const ProgramHandle& program_of(Stage stage);
   void scatter();
 
-  ProgramVariants blocks_programs_;
-  ProgramHandle points_;
-  ProgramVariants halve_programs_;
-  ProgramHandle spread_;
-  ProgramHandle cells_;
-  ProgramHandle beyond_;
-  ProgramHandle far_;
-  ProgramHandle veil_;
-  ProgramHandle seen_;
+  std::vector<ProgramVariants> stages_;
+  std::vector<std::string> defines_; ///< that the picture's stages are built with
   Buffer uniforms_;
   Texture added_;
   Texture shares_;
