@@ -21,7 +21,7 @@
 #include "lib/display.glsl"
 #include "listed_tile.glsl"
 
-layout(local_size_x = 16) in;
+layout(local_size_x = 16, local_size_y = 4) in; // the columns of tiles
 layout(binding = 0) uniform sampler2D frame;
 #ifdef POINTS
 layout(binding = 1) uniform sampler2D points;

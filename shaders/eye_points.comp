@@ -6,7 +6,7 @@
 #include "eye_block.glsl"
 #include "listed_tile.glsl"
 
-layout(local_size_x = 4) in; // the blocks of a tile
+layout(local_size_x = 4, local_size_y = 4) in; // the blocks of tiles
 layout(binding = 0) uniform sampler2D light;
 layout(binding = 1) uniform sampler2D points;
 layout(binding = 0, rgba32f) uniform writeonly image2D extended;

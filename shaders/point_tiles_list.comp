@@ -19,7 +19,7 @@ void main() {
   ivec2 places = rows * int(columns) + int(tile % columns);
   uint list = marks[places.x] | marks[places.y];
   uint number = atomicAdd(lists[list].count, 1u);
-  if (number % tiles_across == 0u) {
+  if (number % (tiles_in_group * groups_across) == 0u) {
     atomicAdd(lists[list].groups.y, 1u);
   }
   tiles[list == 0u ? number : all - 1u - number] = tile % columns + (tile / columns << 16u);

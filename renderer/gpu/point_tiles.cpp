@@ -9,15 +9,15 @@ namespace {
 
 constexpr int tile_width = 16; // shaders/point_tiles.glsl
 constexpr int tile_height = 4;
-constexpr GLuint tiles_across = 256;
+constexpr GLuint groups_across = 256;
 constexpr GLuint boxes_binding = 0;
 constexpr GLuint marks_binding = 1;
 constexpr GLuint lists_binding = 5;
-constexpr GLuint tiles_a_group = 64; // of the stages that mark and list
+constexpr GLuint invocations = 64; // of a group that marks or lists
 
 /// shaders/point_tiles.glsl in std430; the tiles follow.
 struct TileList {
-  std::array<std::uint32_t, 3> groups{tiles_across, 0, 1};
+  std::array<std::uint32_t, 3> groups{groups_across, 0, 1};
   std::uint32_t count = 0;
 };
 struct ListsHead {
@@ -29,7 +29,7 @@ static_assert(sizeof(TileList) == 16 && offsetof(ListsHead, columns) == 32);
 
 int tiles_in(int pixels, int tile) { return (pixels + tile - 1) / tile; }
 
-GLuint groups_for(std::size_t count) { return (static_cast<GLuint>(count) + tiles_a_group - 1) / tiles_a_group; }
+GLuint groups_for(std::size_t count) { return (static_cast<GLuint>(count) + invocations - 1) / invocations; }
 
 } // namespace
 

@@ -32,8 +32,8 @@ public:
   /// Lists a strip's tiles, for dispatch().
   void list(const Strip& strip);
 
-  /// Runs the current program, with groups of 16 x 4 invocations and shaders/listed_tile.glsl, over the tiles of the
-  /// listed strip that have points, or over those that have none.
+  /// Runs the current program, which has shaders/listed_tile.glsl, over the tiles of the listed strip that have points,
+  /// or over those that have none.
   void dispatch(bool with_points) const;
 
 private:
