@@ -22,17 +22,17 @@
 #include "listed_tile.glsl"
 
 layout(local_size_x = 16, local_size_y = 4) in; // the columns of tiles
-layout(binding = 0) uniform sampler2D frame;
+layout(binding = 0) uniform writeonly image2D pixels;
+layout(binding = 1, rgba32f) uniform readonly image2D frame;
 #ifdef POINTS
-layout(binding = 1) uniform sampler2D points;
+layout(binding = 2, rgba32f) uniform readonly image2D points;
 #endif
-layout(binding = 2) uniform sampler1D curve;
+layout(binding = 0) uniform sampler1D curve;
 #ifdef EYE
-layout(binding = 3) uniform sampler2D eye_added;
-layout(binding = 4) uniform sampler2D eye_shares;
+layout(binding = 3, rgba32f) uniform readonly image2D eye_added;
+layout(binding = 4, rg32f) uniform readonly image2D eye_shares;
 layout(location = 11) uniform bool wraps; // whether the left edge continues the right one
 #endif
-layout(binding = 0) uniform writeonly image2D pixels;
 layout(location = 0) uniform vec2 size; // of the picture
 layout(location = 1) uniform float focal;
 layout(location = 2) uniform ivec2 strip;       // first row and number of rows
@@ -130,20 +130,20 @@ Seen between(Seen a, Seen b, float share) { return Seen(mix(a.added, b.added, sh
 
 #ifdef EYE
 Seen seen_by_block(ivec2 block) {
-  return Seen(texelFetch(eye_added, block, 0), texelFetch(eye_shares, block, 0).xy);
+  return Seen(imageLoad(eye_added, block), imageLoad(eye_shares, block).xy);
 }
 
 Seen seen_in_row(int row, ivec2 columns, float beside) {
-  row = clamp(row, 0, textureSize(eye_shares, 0).y - 1);
+  row = clamp(row, 0, imageSize(eye_shares).y - 1);
   return between(seen_by_block(ivec2(columns.x, row)), seen_by_block(ivec2(columns.y, row)), beside);
 }
 #endif
 
 void show(ivec2 at, Seen seen) {
   ivec2 within = min(at, ivec2(int(size.x), strip.y) - 1);
-  vec4 all = texelFetch(frame, within, 0);
+  vec4 all = imageLoad(frame, within);
 #ifdef POINTS
-  vec4 point = min(texelFetch(points, within, 0), all);
+  vec4 point = min(imageLoad(points, within), all);
 #else
   vec4 point = vec4(0.0);
 #endif
@@ -176,7 +176,7 @@ void main() {
   first.x += int(gl_LocalInvocationID.x);
   // The four pixels of a column lie in one block of the eye's: they share what stands beside it.
 #ifdef EYE
-  int last = textureSize(eye_shares, 0).x - 1;
+  int last = imageSize(eye_shares).x - 1;
   ivec2 columns = first.x / 4 + ivec2(0, (first.x & 2) - 1);
   columns.y = columns.y < 0 ? (wraps ? last : 0) : columns.y > last ? (wraps ? 0 : last) : columns.y;
   float aside = abs(0.25 * float(first.x & 3) - 0.375);

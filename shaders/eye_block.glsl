@@ -39,6 +39,9 @@ PixelFrame eye_frame() { return PixelFrame(PROJECTION, eye.size, eye.focal); }
 
 float texel_side(int level) { return block_side * float(1 << level); } // pixels
 
+// Where a level begins in a picture that has all of them, one above the other: it is twice as high as level 0.
+ivec2 level_origin(int level, ivec2 all) { return ivec2(0, all.y - (all.y >> level)); }
+
 // Texels of a level that hold some of the picture.
 ivec2 level_size(int level) { return ivec2(ceil(eye.size / texel_side(level))); }
 

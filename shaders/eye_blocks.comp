@@ -6,13 +6,11 @@
 #include "lib/eye_glare.glsl"
 #include "eye_block.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in; // what lies side by side is read together: a fourth less time than for a square
 layout(binding = 0) uniform sampler2D frame;
 layout(binding = 0, rgba32f) uniform writeonly image2D light;
 layout(binding = 1, rg32f) uniform writeonly image2D centre; // in texels, from the texel's middle
-#ifdef POINTS
-layout(binding = 2, rgba32f) uniform writeonly image2D extended;
-#endif
+layout(binding = 2, rgba32f) uniform writeonly image2D extended; // eye_points.comp takes points out of it
 
 layout(location = 0) uniform ivec2 strip; // its first row of blocks, its rows of pixels
 
@@ -41,7 +39,5 @@ void main() {
   block.y += strip.x;
   imageStore(light, block, share * sum);
   imageStore(centre, block, vec4(clamp(middle, -0.5, 0.5), 0.0, 0.0));
-#ifdef POINTS
-  imageStore(extended, block, share * sum); // eye_points.comp takes points out of it
-#endif
+  imageStore(extended, block, share * sum);
 }

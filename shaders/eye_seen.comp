@@ -11,9 +11,9 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 1) uniform sampler2D veil;
 layout(binding = 3) uniform sampler2D near_shares;
-layout(binding = 4) uniform sampler2D extended;
 layout(binding = 0, rgba32f) uniform writeonly image2D added;
 layout(binding = 1, rg32f) uniform writeonly image2D shares;
+layout(binding = 2, rgba32f) uniform readonly image2D extended; // all levels
 
 const float by_day_cd_m2 = 1.0e3;
 
@@ -29,10 +29,9 @@ vec3 b_splines(float off) {
   return vec3(0.5 * (0.5 - off) * (0.5 - off), 0.75 - off * off, 0.5 * (0.5 + off) * (0.5 + off));
 }
 
-vec4 light_in_row(int row, ivec3 columns, vec3 weights, int level) {
-  return weights.x * texelFetch(extended, ivec2(columns.x, row), level) +
-         weights.y * texelFetch(extended, ivec2(columns.y, row), level) +
-         weights.z * texelFetch(extended, ivec2(columns.z, row), level);
+vec4 light_in_row(int row, ivec3 columns, vec3 weights) {
+  return weights.x * imageLoad(extended, ivec2(columns.x, row)) + weights.y * imageLoad(extended, ivec2(columns.y, row)) +
+         weights.z * imageLoad(extended, ivec2(columns.z, row));
 }
 
 vec4 level_light(vec2 pixel, int level) {
@@ -41,11 +40,11 @@ vec4 level_light(vec2 pixel, int level) {
   vec2 off = at - vec2(nearest) - 0.5;
   ivec2 size = level_size(level);
   ivec3 columns = columns_beside(nearest.x, size.x);
-  ivec3 rows = beside(nearest.y, size.y);
+  ivec3 rows = level_origin(level, imageSize(extended)).y + beside(nearest.y, size.y);
   vec3 across = b_splines(off.x);
   vec3 down = b_splines(off.y);
-  return down.x * light_in_row(rows.x, columns, across, level) + down.y * light_in_row(rows.y, columns, across, level) +
-         down.z * light_in_row(rows.z, columns, across, level);
+  return down.x * light_in_row(rows.x, columns, across) + down.y * light_in_row(rows.y, columns, across) +
+         down.z * light_in_row(rows.z, columns, across);
 }
 
 void main() {
@@ -67,7 +66,7 @@ void main() {
     float scale = degrees_per_pixel(pixel);
     int field = clamp(int(round(log2(1.0 / (block_side * scale)))), 0, eye.cell_level); // a degree
     ivec2 around = min(ivec2(pixel / texel_side(field)), level_size(field) - 1);
-    float luminance = kept * texelFetch(extended, around, field).y + sum.y;
+    float luminance = kept * imageLoad(extended, level_origin(field, imageSize(extended)) + around).y + sum.y;
     float variance = eye_pooling_variance_deg2(acuity_cycles_per_degree(luminance), acuity_cycles_per_degree(by_day_cd_m2)) /
                      (scale * scale);
     // Two levels around it, or the sharp picture and the finest level.

@@ -6,17 +6,17 @@
 #include "eye_block.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2D light;
-layout(binding = 1) uniform sampler2D centre;
-layout(binding = 0, rgba32f) uniform writeonly image2D spread;
+layout(binding = 0, rgba32f) uniform readonly image2D light; // of the level
+layout(binding = 1, rg32f) uniform readonly image2D centre;
+layout(binding = 2, rgba32f) uniform writeonly image2D spread;
 layout(location = 0) uniform int level;
 
 // The light of a texel that is `step` texels away and comes to the node.
 vec4 light_from(ivec2 texel, ivec2 step, ivec2 node) {
   // One that stands for another, past the edge, is seen as in a mirror.
   bvec2 mirrored = bvec2(step.x != 0 && texel.x == node.x, step.y != 0 && texel.y == node.y);
-  vec2 away = vec2(step) + mix(vec2(1.0), vec2(-1.0), mirrored) * texelFetch(centre, texel, level).xy;
-  return b_spline(away.x) * b_spline(away.y) * texelFetch(light, texel, level);
+  vec2 away = vec2(step) + mix(vec2(1.0), vec2(-1.0), mirrored) * imageLoad(centre, texel).xy;
+  return b_spline(away.x) * b_spline(away.y) * imageLoad(light, texel);
 }
 
 vec4 light_from_row(ivec3 columns, int row, int step, ivec2 node) {

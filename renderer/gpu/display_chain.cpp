@@ -78,7 +78,7 @@ void DisplayChain::start(const View& view) {
       optics_ = std::make_unique<EyeOptics>(library_);
     }
     optics.magnification = magnification(view, settings_.display);
-    optics_->start(view, optics, true);
+    optics_->start(view, optics);
   }
 }
 
@@ -140,14 +140,17 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   if (looked_) {
     find_curve();
   }
-  glBindTextureUnit(0, light.frame.name());
-  glBindTextureUnit(1, light.points.name());
-  glBindTextureUnit(2, nodes_.name());
-  if (through_optics_) {
-    glBindTextureUnit(3, optics_->added().name());
-    glBindTextureUnit(4, optics_->shares().name());
-  }
+  glBindTextureUnit(0, nodes_.name());
   glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
+  const auto read_from = [](GLuint unit, const Texture& texture, GLenum format) {
+    glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, GL_READ_ONLY, format);
+  };
+  read_from(1, light.frame, GL_RGBA32F);
+  read_from(2, light.points, GL_RGBA32F);
+  if (through_optics_) {
+    read_from(3, optics_->added(), GL_RGBA32F);
+    read_from(4, optics_->shares(), GL_RG32F);
+  }
   for (const bool with_points : {false, true}) {
     const GLuint program = of_tiles_.at(with_points ? 1 : 0)->name();
     glProgramUniform2i(program, 2, light.strip.first_row, light.strip.rows);

@@ -20,7 +20,7 @@ constexpr int block_side = 4;    ///< pixels: shaders/eye_block.glsl
 constexpr int finest_veil = 1;   ///< level: likewise
 constexpr int most_cells = 576;  ///< each is a light to every texel of the far veil
 constexpr int group = 8;         ///< of most stages, along both axes
-constexpr int group_of_row = 64; ///< of eye_cells.comp
+constexpr int group_of_row = 64; ///< of eye_blocks.comp and eye_cells.comp
 
 /// shaders/eye_block.glsl in std140.
 struct EyeBlock {
@@ -92,6 +92,10 @@ void write_to(GLuint unit, const Texture& texture, int level, GLenum format) {
   glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY, format);
 }
 
+void read_from(GLuint unit, const Texture& texture, int level, GLenum format) {
+  glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_READ_ONLY, format);
+}
+
 /// A texture with mipmaps, read between texels but not between levels.
 Texture make_levels(int width, int height, int levels, GLenum format) {
   GLuint name = 0;
@@ -113,8 +117,8 @@ void set_wrap(const Texture& texture, bool wraps) {
 
 /// Textures of a picture's size. Level 0 has a texel for a block.
 struct EyeOptics::Pyramid {
-  Pyramid(int picture_width, int picture_height, std::size_t unseen_lights, bool has_points)
-      : width(picture_width), height(picture_height), unseen(unseen_lights), points(has_points) {
+  Pyramid(int picture_width, int picture_height, std::size_t unseen_lights)
+      : width(picture_width), height(picture_height), unseen(unseen_lights) {
     while (cells() > most_cells) {
       ++cell_level;
     }
@@ -126,7 +130,7 @@ struct EyeOptics::Pyramid {
     const int levels = cell_level + 1;
     light = make_levels(blocks_across, blocks_down, levels, GL_RGBA32F);
     centre = make_levels(blocks_across, blocks_down, levels, GL_RG32F);
-    extended = points ? make_levels(blocks_across, blocks_down, levels, GL_RGBA32F) : Texture();
+    extended = make_texture(blocks_across, 2 * blocks_down, PixelFormat::rgba32f);
     spread = make_levels(blocks_across, blocks_down, levels, GL_RGBA32F);
     veil = make_levels(blocks_across, blocks_down, levels, GL_RGBA32F);
     far_veil = make_levels(2 * columns, 2 * rows, 1, GL_RGBA32F);
@@ -140,20 +144,18 @@ struct EyeOptics::Pyramid {
     const int side = block_side << cell_level;
     return up(width, side) * up(height, side);
   }
-  [[nodiscard]] const Texture& of_extended() const { return points ? extended : light; }
   [[nodiscard]] int across(int level) const { return columns << (cell_level - level); }
   [[nodiscard]] int down(int level) const { return rows << (cell_level - level); }
 
   int width;
   int height;
   std::size_t unseen;
-  bool points;
   int cell_level = finest_veil + 1;
   int columns = 0; ///< of cells
   int rows = 0;
   Texture light;
   Texture centre;
-  Texture extended;
+  Texture extended; ///< all levels, one above the other: a level that differs from texel to texel is found faster so
   Texture spread;
   Texture veil;
   Texture far_veil;
@@ -172,19 +174,19 @@ EyeOptics::EyeOptics(const ShaderLibrary& library) : uniforms_(make_dynamic_buff
 EyeOptics::~EyeOptics() = default;
 
 void EyeOptics::see(const Texture& frame, const View& view, const EyeOpticsSettings& settings) {
-  start(view, settings, false);
+  start(view, settings);
   add(frame, {0, view.height});
   finish();
 }
 
-const Texture& EyeOptics::blocks() const { return pyramid_->of_extended(); }
+const Texture& EyeOptics::blocks() const { return pyramid_->extended; }
 
-void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool has_points) {
+void EyeOptics::start(const View& view, const EyeOpticsSettings& settings) {
   validate(view, settings);
   if (!pyramid_ || pyramid_->width != view.width || pyramid_->height != view.height ||
-      pyramid_->unseen != settings.unseen.size() || pyramid_->points != has_points) {
+      pyramid_->unseen != settings.unseen.size()) {
     pyramid_.reset();
-    pyramid_ = std::make_unique<Pyramid>(view.width, view.height, settings.unseen.size(), has_points);
+    pyramid_ = std::make_unique<Pyramid>(view.width, view.height, settings.unseen.size());
     added_ = make_levels(pyramid_->across(0), pyramid_->down(0), 1, GL_RGBA32F);
     shares_ = make_levels(pyramid_->across(0), pyramid_->down(0), 1, GL_RG32F);
   }
@@ -197,9 +199,6 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   const f64::EyeScatter& eye = observer_.scatter;
   glare_ = settings.glare;
   defines_ = {fmt::format("PROJECTION {}", static_cast<int>(view.projection))};
-  if (has_points) {
-    defines_.emplace_back("POINTS");
-  }
   const f64::ProjectionFrame projection = projection_frame(view);
   wraps_ = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
   const auto real = [](double value) { return static_cast<float>(value); };
@@ -246,10 +245,8 @@ void EyeOptics::add(const Texture& frame, const Strip& strip) {
   write_to(0, levels.light, 0, GL_RGBA32F);
   write_to(1, levels.centre, 0, GL_RG32F);
   glBindTextureUnit(0, frame.name());
-  if (levels.points) {
-    write_to(2, levels.extended, 0, GL_RGBA32F);
-  }
-  run(program, levels.across(0), up(strip.rows, block_side));
+  write_to(2, levels.extended, 0, GL_RGBA32F);
+  run(program, levels.across(0), up(strip.rows, block_side), group_of_row, 1);
 }
 
 void EyeOptics::add(const StripLight& light) {
@@ -268,17 +265,14 @@ void EyeOptics::finish() {
   const Pyramid& levels = *pyramid_;
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, levels.lights.name());
-  glBindTextureUnit(0, levels.light.name());
-  glBindTextureUnit(1, levels.centre.name());
-  glBindTextureUnit(2, levels.extended.name());
   for (int level = 1; level <= levels.cell_level; ++level) {
     const ProgramHandle& halve = program_of(Stage::halve);
     glProgramUniform1i(halve.name(), 0, level);
-    write_to(0, levels.light, level, GL_RGBA32F);
-    write_to(1, levels.centre, level, GL_RG32F);
-    if (levels.points) {
-      write_to(2, levels.extended, level, GL_RGBA32F);
-    }
+    read_from(0, levels.light, level - 1, GL_RGBA32F);
+    read_from(1, levels.centre, level - 1, GL_RG32F);
+    write_to(2, levels.light, level, GL_RGBA32F);
+    write_to(3, levels.centre, level, GL_RG32F);
+    glBindImageTexture(4, levels.extended.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     run(halve, levels.across(level), levels.down(level));
   }
   if (glare_) {
@@ -288,7 +282,7 @@ void EyeOptics::finish() {
   glBindTextureUnit(1, levels.veil.name());
   glBindTextureUnit(2, levels.far_veil.name());
   glBindTextureUnit(3, levels.near_shares.name());
-  glBindTextureUnit(4, levels.of_extended().name());
+  read_from(2, levels.extended, 0, GL_RGBA32F);
   write_to(0, added_, 0, GL_RGBA32F);
   write_to(1, shares_, 0, GL_RG32F);
   run(program_of(Stage::seen), levels.across(0), levels.down(0));
@@ -304,9 +298,13 @@ void EyeOptics::scatter() {
   for (int level = finest_veil; level <= levels.cell_level; ++level) {
     const ProgramHandle& spread = program_of(Stage::spread);
     glProgramUniform1i(spread.name(), 0, level);
-    write_to(0, levels.spread, level, GL_RGBA32F);
+    read_from(0, levels.light, level, GL_RGBA32F);
+    read_from(1, levels.centre, level, GL_RG32F);
+    write_to(2, levels.spread, level, GL_RGBA32F);
     run(spread, levels.across(level), levels.down(level));
   }
+  glBindTextureUnit(0, levels.light.name());
+  glBindTextureUnit(1, levels.centre.name());
   run(program_of(Stage::cells), levels.cells(), 1, group_of_row, 1);
   run(program_of(Stage::beyond), 1, 1, 1, 1);
   write_to(0, levels.far_veil, 0, GL_RGBA32F);

@@ -59,15 +59,13 @@ public:
   ~EyeOptics();
 
   /// Begins a picture.
-  /// \param has_points whether the part of its light that comes from points will be told, which glare spreads and
-  ///                   acuity does not
   /// Throws Error(argument) for settings out of range, and for a cube map: its six faces are seen from within, through
   /// another program's view, whose eye this is not.
-  void start(const View& view, const EyeOpticsSettings& settings, bool has_points);
+  void start(const View& view, const EyeOpticsSettings& settings);
   /// Takes in a strip, which starts at a multiple of 4 rows; strips come in any order.
   /// \param frame  rgba32f of the view's width, its row 0 the strip's first: all light, X, Y, Z in cd/m2 and S
   void add(const Texture& frame, const Strip& strip);
-  /// Likewise, of a picture with points.
+  /// Likewise, with points in it, whose light glare spreads and acuity does not.
   void add(const StripLight& light);
   /// Once all strips are in: makes what follows.
   void finish();

@@ -46,7 +46,7 @@ void eye_optics(benchmark::State& state, bool glare, bool acuity, bool has_point
       eye.see(frame, view, settings);
       return;
     }
-    eye.start(view, settings, true);
+    eye.start(view, settings);
     eye.add({frame, points, tiles, {0, height}});
     eye.finish();
   };

@@ -78,7 +78,7 @@ TEST_F(EyeAcuity, PointsStaySharpAndLightIsKept) {
   tiles.start(view.width, view.height);
   tiles.mark(std::vector{gpu::PointTiles::Box{100.0F, 90.0F, 101.0F, 91.0F}});
   tiles.list({0, view.height});
-  eye.start(view, without_glare(), true);
+  eye.start(view, without_glare());
   eye.add({frame, of_points, tiles, {0, view.height}});
   eye.finish();
   const SeenPicture seen(eye);
