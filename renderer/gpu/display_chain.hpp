@@ -22,8 +22,8 @@ struct DisplaySettings {
   Metering metering = Metering::whole_field;
   /// What the eye is adapted to; what each picture adapts it to where there is none.
   std::optional<AdaptationState> adaptation;
-  /// What the scene is seen by, lux, X, Y, Z (adapting_light() in vesper/sky/scene_white.hpp): the eye is adapted to its
-  /// colour. Without it colours are shown as they measure.
+  /// What the scene is seen by, lux, X, Y, Z (adapting_light() in vesper/sky/scene_white.hpp): the eye is adapted to
+  /// its colour. Without it colours are shown as they measure.
   std::optional<Vec3> light;
   EyeOpticsSettings optics; ///< glare and acuity; its magnification is found from view and display
   bool night_vision = true; ///< colours fade as rods take over; off: as by day, or for a camera

@@ -8,9 +8,7 @@
 
 namespace vesper {
 
-double degree_of_adaptation(Luminance field) {
-  return 1.0 - std::exp(-(field.to(candela_per_m2) + 42.0) / 92.0) / 3.6;
-}
+double degree_of_adaptation(Luminance field) { return 1.0 - std::exp(-(field.to(candela_per_m2) + 42.0) / 92.0) / 3.6; }
 
 Mat3 chromatic_adaptation(const Vec3& from_white, const Vec3& to_white, double degree) {
   const Mat3 cat16 =

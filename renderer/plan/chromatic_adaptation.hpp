@@ -7,8 +7,8 @@
 
 namespace vesper {
 
-/// How far an eye is adapted to the colour of the light that it sees by, 0 to 1: D of CIECAM02 (CIE 159:2004, equation
-/// 7.8) and CIECAM16 (CIE 248:2022) with the average surround, F = 1. 0.82 in the dark, 0.99 at 300 cd/m2.
+/// How far an eye is adapted to the colour of the light that it sees by, 0 to 1: D of CIECAM02 (CIE 159:2004) and
+/// CIECAM16 (CIE 248:2022) with the average surround, F = 1. 0.82 in the dark, 0.99 at 300 cd/m2.
 /// \param field mean luminance of what it looks at, 0 or more
 [[nodiscard]] double degree_of_adaptation(Luminance field);
 
