@@ -16,7 +16,10 @@ namespace {
 /// Of airglow, zodiacal light and stars on the ground, 0.6 to 1 mlx; rods see it, which have no white.
 constexpr double night_sky_lux = 1.0e-3;
 
-Vec3 xyz_of(const Spectrum& light) { return Vec3(vector_of(integrate_xyzs(light))); }
+Vec3 lux_of(const Spectrum& light) {
+  const Xyzs all = integrate_xyzs(light);
+  return {all.x, all.y, all.z};
+}
 
 } // namespace
 
@@ -28,10 +31,11 @@ double share_on_level_ground(Angle altitude) {
 
 Vec3 adapting_light(const SkyState& sky) {
   // In an eclipse of the Sun the sky is lit from beyond the Moon's shadow.
-  const Vec3 sun = xyz_of(sun_light(sky.sun.direction_horizon, sky.sun.distance).irradiance);
+  const Vec3 sun = lux_of(sun_light(sky.sun.direction_horizon, sky.sun.distance).irradiance);
+  // In one of the Moon there is less of its light, of the same white.
   const MoonIllumination illumination = moon_illumination(sky);
-  const Vec3 full = xyz_of(illumination.sunlit_moon);
-  const Vec3 moon = xyz_of(moonlight_of(illumination)).y / std::max(full.y, 1.0e-30) * full;
+  const Vec3 full = lux_of(illumination.sunlit_moon);
+  const Vec3 moon = lux_of(moonlight_of(illumination)).y / std::max(full.y, 1.0e-30) * full;
   const Vec3 night = night_sky_lux * f64::xyz_of_chromaticity(f64::chromaticities_of(f64::primaries_srgb).white);
   return share_on_level_ground(latitude_of(sky.sun.direction_horizon)) * sun +
          share_on_level_ground(latitude_of(sky.moon.place.direction_horizon)) * moon + night;

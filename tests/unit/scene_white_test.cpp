@@ -16,7 +16,7 @@ namespace vesper {
 namespace {
 
 const Observer la_palma{28.76 * deg, -17.88 * deg, 0.0 * metre};
-const Vec2 d65(0.3127, 0.3290);
+const Vec2 white_of_displays(0.3127, 0.3290);
 
 Vec2 xy_of(const Vec3& xyz) { return Vec2(xyz) / (xyz.x + xyz.y + xyz.z); }
 Vec2 xy_of(const Spectrum& light) { return xy_of(Vec3(vector_of(integrate_xyzs(light)))); }
@@ -70,7 +70,7 @@ TEST(SceneWhite, IsThatOfSunMoonOrTheDisplay) {
   const SkyState full_moon = sky_at("2026-08-28T01:30:00Z");
   EXPECT_LT(glm::distance(xy_of(adapting_light(full_moon)), xy_of(moonlight_of(full_moon))), 1.0e-3);
   const Vec3 dark = adapting_light(sky_at("2026-08-15T01:00:00Z"));
-  EXPECT_LT(glm::distance(xy_of(dark), d65), 1.0e-6);
+  EXPECT_LT(glm::distance(xy_of(dark), white_of_displays), 1.0e-6);
   EXPECT_NEAR(dark.y, 1.0e-3, 1.0e-6);
 }
 
@@ -109,14 +109,14 @@ TEST(SceneWhite, KeepsTheColourOfEclipses) {
   const SkyState total = sky_at("2011-06-15T20:12:37Z", 0.0, mangalore);
   const Vec2 copper = xy_of(moonlight_of(total));
   EXPECT_GT(copper.x, 0.45);
-  EXPECT_LT(glm::distance(xy_of(adapting_light(total)), d65), 0.002) << "the night is dark";
+  EXPECT_LT(glm::distance(xy_of(adapting_light(total)), white_of_displays), 0.002) << "the night is dark";
   // While a part of the Moon is lit, white lies between the night's and the full Moon's.
   const Vec2 moon = xy_of(moon_illumination(total).sunlit_moon);
   for (const double minutes : {-100.0, -80.0, -60.0, 60.0, 80.0, 100.0}) {
     const Vec2 white = xy_of(adapting_light(sky_at("2011-06-15T20:12:37Z", 60.0 * minutes, mangalore)));
-    const Vec2 way = moon - d65;
-    const double share = glm::dot(white - d65, way) / glm::dot(way, way);
-    EXPECT_LT(glm::distance(white, d65 + share * way), 1.0e-4);
+    const Vec2 way = moon - white_of_displays;
+    const double share = glm::dot(white - white_of_displays, way) / glm::dot(way, way);
+    EXPECT_LT(glm::distance(white, white_of_displays + share * way), 1.0e-4);
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 1.001);
   }
