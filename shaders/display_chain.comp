@@ -40,8 +40,7 @@ layout(location = 6) uniform int points_as_seen; // 0: points count by their lum
 layout(location = 7) uniform float seconds;
 #endif
 layout(location = 8) uniform mat3 signal_from_xyz; // of light over the floor
-layout(location = 9) uniform vec3 luminance_as_shown; // of X, Y, Z, by signal_from_xyz: 0, 1, 0 where no white is adapted to
-layout(location = 10) uniform vec3 rod_hue;           // night_hue once it is shown
+layout(location = 9) uniform vec3 rod_hue;         // night_hue once it is shown
 layout(location = 20) uniform DisplayModel display;
 
 // Solid angle over which the eye spreads a point of light, sr: a disc of 2 arcmin.
@@ -65,9 +64,6 @@ vec3 curve_at(float luminance) {
   return vec3(texel.x + float(bits & (eighth - 1)) * exp2(-20.0) * texel.y, texel.z, texel.w);
 }
 
-// Colours that no light has keep a tenth of their luminance at least.
-float shown_luminance(vec3 color) { return max(dot(luminance_as_shown, color), max(0.1 * color.y, 1.0e-30)); }
-
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   float cones = cone_share(extended);
   float rods = (1.0 - cones) * rods_at_555_nm;
@@ -85,7 +81,7 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   // seen_color times (cones + rods), which only its luminance needs.
   vec3 color = cones * extended.xyz + rod_light * rod_hue;
   vec3 tone = curve_at(max(color.y, 0.0) / (cones + rods));
-  color *= tone.x * (1.0 / shown_luminance(color));
+  color *= tone.x * (1.0 / max(color.y, 1.0e-30));
   float more = 0.0;
   if (point.y > 0.0) {
     float pixel_sr = 1.0 / max(pixels_per_steradian(at, picture), 1.0e-6);
@@ -96,7 +92,7 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
       more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
-    color += seen_point * (more / shown_luminance(seen_point));
+    color += seen_point * (more / max(seen_point.y, 1.0e-30));
   }
   // Of the light that a display adds to its floor.
   vec3 signal = signal_from_xyz * color;

@@ -124,13 +124,10 @@ void DisplayChain::find_curve() {
   if (settings_.noise) {
     glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
   }
-  const Mat3& shown_from_xyz = color_adaptation_.shown_from_xyz;
-  const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * shown_from_xyz / display_.range_cd_m2);
+  const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz / display_.range_cd_m2);
   glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
-  const f32::vec3 luminance_as_shown(shown_from_xyz[0].y, shown_from_xyz[1].y, shown_from_xyz[2].y);
-  glProgramUniform3fv(program, 9, 1, &luminance_as_shown[0]);
   const f32::vec3 rod_hue(color_adaptation_.rod_hue);
-  glProgramUniform3fv(program, 10, 1, &rod_hue[0]);
+  glProgramUniform3fv(program, 9, 1, &rod_hue[0]);
   set_display(*program_, display_location, display_);
   looked_ = false;
 }

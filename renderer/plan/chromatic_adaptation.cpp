@@ -27,9 +27,11 @@ ColorAdaptation adapted_to_light(const Vec3& light, const Vec3& display_white) {
   }
   constexpr double field_of_white = 0.2;
   const Luminance field = field_of_white * light.y / std::numbers::pi * candela_per_m2;
-  const Mat3 shown = chromatic_adaptation(light / light.y, display_white, degree_of_adaptation(field));
-  const Vec3 hue = glm::inverse(shown) * f64::night_hue;
-  return {shown, hue / hue.y};
+  Mat3 shown = chromatic_adaptation(light / light.y, display_white, degree_of_adaptation(field));
+  for (int column = 0; column < 3; ++column) {
+    shown[column].y = column == 1 ? 1.0 : 0.0;
+  }
+  return {shown, glm::inverse(shown) * f64::night_hue};
 }
 
 } // namespace vesper

@@ -14,17 +14,18 @@ namespace vesper {
 
 /// From X, Y, Z seen by an eye that is adapted to one white to those that look alike to one adapted to another: CAT16
 /// (Li et al. 2017, Color Res. Appl. 42, 703) in one step, von Kries' scaling by D w' / w + 1 - D. Whites have Y = 1.
-/// The Y of a colour other than white changes by some per cent.
 /// \param degree D, 0 (nothing changes) to 1 (white becomes white)
 [[nodiscard]] Mat3 chromatic_adaptation(const Vec3& from_white, const Vec3& to_white, double degree);
 
 /// What a display has to show for a viewer who is adapted to its white. The default is the scene as it measures.
 struct ColorAdaptation {
-  Mat3 shown_from_xyz{1.0};
+  Mat3 shown_from_xyz{1.0};      ///< keeps Y, which is for the tone curve to settle
   Vec3 rod_hue = f64::night_hue; ///< of the scene, Y = 1, that is shown as night_hue: what rods see has no white
 };
 
-/// \param light of the scene, X, Y, Z in lux on level ground (adapting_light() in vesper/sky/scene_white.hpp): its
+/// CAT16 but for Y, which CAT16 changes by up to a per cent for what a display can show and this does not: within
+/// 0.0015 in x and y for whites between sunlight's and moonlight's. \param light of the scene, X, Y, Z in lux on level
+/// ground (adapting_light() in vesper/sky/scene_white.hpp): its
 ///        chromaticity is the white; a fifth of the luminance that it gives a white surface is the field's, as is
 ///        customary with these models. Throws Error(argument) unless all three are positive and finite.
 /// \param display_white Y = 1

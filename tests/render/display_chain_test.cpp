@@ -1,6 +1,7 @@
 // The chain from a frame's light to a display's code values, on the GPU.
 #include "render/mapped_light.hpp"
 
+#include "support/moon_relief.hpp"
 #include "support/truth.hpp"
 
 #include "vesper/astro/star_place.hpp"
@@ -344,6 +345,7 @@ TEST_F(DisplayChains, TheFullMoonIsWhiteAndTheEclipsedOneCopper) {
   FrameOptions options = bare_stars();
   options.layers.reset().set(static_cast<std::size_t>(Layer::moon));
   options.air.extinction = true;
+  options.discs.moon = make_moon_globe(map_of(even_surface, 32));
   const auto moon = [&](const char* utc, const Observer& observer, bool adapts) {
     const SkyState sky = sky_state(parse_instant(utc), observer);
     View view = square_view(64, 0.8 * deg);
@@ -416,7 +418,7 @@ TEST_F(DisplayChains, StandWhatNoSkyShows) {
   for (const ToneOperator tone : all_operators) {
     gpu::DisplaySettings settings = deep(tone);
     if (tone == ToneOperator::hable) {
-      settings.light = moonlight_lux; // by which the odd colours have luminances below 0
+      settings.light = moonlight_lux;
     }
     chain.use(settings);
     for (const PictureLight* light : {&black, &pixel, &half, &odd, &black, &half}) { // one after another, too

@@ -8,12 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vesper {
 namespace {
 
 const Vec3 d65(0.3127 / 0.3290, 1.0, 0.3583 / 0.3290);
+const Vec3 moonlight(0.9879, 1.0, 0.8249);
 const Vec3 illuminant_a(1.09850, 1.0, 0.35585);
 
 double largest_difference(const Vec3& a, const Vec3& b) {
@@ -61,19 +63,33 @@ TEST(ChromaticAdaptation, GoesFurtherInMoreLight) {
   EXPECT_NEAR(degree_of_adaptation(Luminance()), 1.0 - std::exp(-42.0 / 92.0) / 3.6, 1.0e-15);
   EXPECT_LT(degree_of_adaptation(1.0 * candela_per_m2), degree_of_adaptation(100.0 * candela_per_m2));
   EXPECT_NEAR(degree_of_adaptation(1.0e4 * candela_per_m2), 1.0, 1.0e-15);
-  // 2500 pi lux make a white of 2500 cd/m2, a fifth of which is the field's.
-  const Vec3 light = 2500.0 * std::numbers::pi * illuminant_a;
-  const Mat3 expected = chromatic_adaptation(illuminant_a, d65, degree_of_adaptation(500.0 * candela_per_m2));
-  for (int column = 0; column < 3; ++column) {
-    EXPECT_LT(largest_difference(adapted_to_light(light, d65).shown_from_xyz[column], expected[column]), 1.0e-12);
+}
+
+TEST(ChromaticAdaptation, OfADisplayIsThatTransformWithItsLuminanceKept) {
+  const auto xy_of = [](const Vec3& xyz) { return Vec2(xyz) / (xyz.x + xyz.y + xyz.z); };
+  const Mat3 xyz_from_rgb = f64::xyz_from_rgb(f64::chromaticities_of(f64::primaries_srgb));
+  test::ErrorSum error;
+  // Sunlight by day and moonlight by night: pi times 5 lux for each cd/m2 of the field.
+  for (const auto& [white, field_cd_m2] : {std::pair(Vec3(0.9727, 1.0, 1.0336), 5000.0), std::pair(moonlight, 0.01)}) {
+    const Mat3 cat16 = chromatic_adaptation(white, d65, degree_of_adaptation(field_cd_m2 * candela_per_m2));
+    const Mat3 shown = adapted_to_light(5.0 * std::numbers::pi * field_cd_m2 * white, d65).shown_from_xyz;
+    EXPECT_LT(largest_difference(shown * white, cat16 * white), 1.0e-6);
+    for (int i = 1; i < 216; ++i) {
+      const Vec3 color = xyz_from_rgb * Vec3(i % 6, i / 6 % 6, i / 36);
+      EXPECT_DOUBLE_EQ((shown * color).y, color.y);
+      const Vec2 difference = xy_of(shown * color) - xy_of(cat16 * color);
+      error.add(difference.x);
+      error.add(difference.y);
+    }
   }
+  error.hold("colours of sRGB adapted with their luminance kept against CAT16, x and y", 0.0015, "");
 }
 
 TEST(ChromaticAdaptation, LeavesWhatRodsSeeItsHue) {
-  const ColorAdaptation by_moonlight = adapted_to_light(0.2 * Vec3(0.988, 1.0, 0.825), d65);
+  const ColorAdaptation by_moonlight = adapted_to_light(0.2 * moonlight, d65);
   const Vec3 shown = by_moonlight.shown_from_xyz * by_moonlight.rod_hue;
   EXPECT_LT(largest_difference(shown / shown.y, f64::night_hue), 1.0e-12);
-  EXPECT_DOUBLE_EQ(by_moonlight.rod_hue.y, 1.0);
+  EXPECT_NEAR(by_moonlight.rod_hue.y, 1.0, 1.0e-15);
   EXPECT_EQ(ColorAdaptation{}.rod_hue, f64::night_hue);
 }
 
