@@ -1,7 +1,6 @@
 // The chain from a frame's light to a display's code values, on the GPU.
 #include "render/mapped_light.hpp"
 
-#include "support/moon_relief.hpp"
 #include "support/truth.hpp"
 
 #include "vesper/astro/star_place.hpp"
@@ -345,10 +344,9 @@ TEST_F(DisplayChains, TheFullMoonIsWhiteAndTheEclipsedOneCopper) {
   FrameOptions options = bare_stars();
   options.layers.reset().set(static_cast<std::size_t>(Layer::moon));
   options.air.extinction = true;
-  options.discs.moon = make_moon_globe(map_of(even_surface, 32));
   const auto moon = [&](const char* utc, const Observer& observer, bool adapts) {
     const SkyState sky = sky_state(parse_instant(utc), observer);
-    View view = square_view(64, 0.8 * deg);
+    View view = square_view(40, 0.8 * deg);
     view.azimuth = horizontal_of(sky.moon.place.direction_horizon).azimuth;
     view.altitude = horizontal_of(sky.moon.place.direction_horizon).altitude;
     gpu::DisplaySettings settings = deep();
