@@ -21,10 +21,14 @@ void main() {
     least = solid_angle > 0.0 ? min(least, max(lights[i].light, 0.0) / solid_angle) : least;
   }
   darkest[me] = least;
-  barrier();
-  for (int i = 0; i < group; ++i) {
-    least = min(least, darkest[i]);
+  for (int apart = group / 2; apart > 0; apart /= 2) {
+    barrier();
+    if (me < apart) {
+      darkest[me] = min(darkest[me], darkest[me + apart]);
+    }
   }
+  barrier();
+  least = darkest[0];
   for (int i = me; i < cells; i += group) {
     lights[i].light -= lights[i].solid_angle.x * least;
   }

@@ -7,7 +7,6 @@ layout(std140, binding = 0) uniform EyeBlock {
   vec4 media;  // iris, parabola, wall; angles seen over angles in the scene
   vec2 size;   // pixels of the picture
   float focal;
-  int projection;
   int cell_level;
   int columns; // of cells
   int lights;  // cells and unseen sources
@@ -36,7 +35,7 @@ EyeScatter eye_scatter_here() {
   return scatter;
 }
 
-PixelFrame eye_frame() { return PixelFrame(eye.projection, eye.size, eye.focal); }
+PixelFrame eye_frame() { return PixelFrame(PROJECTION, eye.size, eye.focal); }
 
 float texel_side(int level) { return block_side * float(1 << level); } // pixels
 
@@ -55,11 +54,13 @@ float degrees_per_pixel(vec2 pixel) { return eye.media.w * eye_degrees_per_pixel
 // Softness of the far part of the light at a place.
 float softness(vec2 pixel) { return texel_side(eye.cell_level) * degrees_per_pixel(pixel); }
 
-// The texel that stands for one past the edge: across the seam, or mirrored; `mirror` is -1 along axes where it is.
-ivec2 in_picture(ivec2 texel, ivec2 size, out vec2 mirror) {
-  // Once round; a remainder would cost more than all the rest.
-  texel.x += eye.wraps == 0 ? 0 : texel.x < 0 ? size.x : texel.x >= size.x ? -size.x : 0;
-  ivec2 inside = clamp(texel, -1 - texel, 2 * size - 1 - texel);
-  mirror = vec2(1.0) - 2.0 * vec2(notEqual(inside, texel));
-  return clamp(inside, ivec2(0), size - 1);
+// A row or column and those beside it. The last ones stand for those past the edge.
+ivec3 beside(int number, int size) { return clamp(number + ivec3(-1, 0, 1), 0, size - 1); }
+
+// The same of columns, which may go on across the seam.
+ivec3 columns_beside(int column, int size) {
+  ivec3 columns = beside(column, size);
+  columns.x = eye.wraps != 0 && column == 0 ? size - 1 : columns.x;
+  columns.z = eye.wraps != 0 && column == size - 1 ? 0 : columns.z;
+  return columns;
 }

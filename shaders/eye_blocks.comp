@@ -11,7 +11,6 @@ layout(binding = 0) uniform sampler2D frame;
 layout(binding = 0, rgba32f) uniform writeonly image2D light;
 layout(binding = 1, rg32f) uniform writeonly image2D centre; // in texels, from the texel's middle
 #ifdef POINTS
-layout(binding = 1) uniform sampler2D points;
 layout(binding = 2, rgba32f) uniform writeonly image2D extended;
 #endif
 
@@ -26,7 +25,6 @@ void main() {
     return;
   }
   vec4 sum = vec4(0.0);
-  vec4 of_points = vec4(0.0);
   vec2 moment = vec2(0.0);
   for (int y = 0; y < 4; ++y) {
     for (int x = 0; x < 4; ++x) {
@@ -36,9 +34,6 @@ void main() {
       vec4 here = part * texelFetch(frame, pixel, 0);
       sum += here;
       moment += max(here.y, 0.0) * vec2(x, y);
-#ifdef POINTS
-      of_points += part * texelFetch(points, pixel, 0);
-#endif
     }
   }
   float share = 1.0 / float(count.x * count.y);
@@ -47,6 +42,6 @@ void main() {
   imageStore(light, block, share * sum);
   imageStore(centre, block, vec4(clamp(middle, -0.5, 0.5), 0.0, 0.0));
 #ifdef POINTS
-  imageStore(extended, block, share * (sum - of_points));
+  imageStore(extended, block, share * sum); // eye_points.comp takes points out of it
 #endif
 }

@@ -8,6 +8,7 @@
 #include "eye_lights.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 0) uniform samplerBuffer light_texels; // EyeLights, which is read faster so
 layout(binding = 0, rgba32f) uniform writeonly image2D far_veil;
 layout(binding = 1, rg32f) uniform writeonly image2D near_shares; // x: kept in place
 
@@ -27,9 +28,10 @@ void main() {
   float squared_magnification = eye.media.w * eye.media.w;
   vec4 sum = vec4(0.0);
   for (int i = 0; i < eye.lights; ++i) {
-    vec4 direction = lights[i].direction;
+    vec4 light = texelFetch(light_texels, 1 + 3 * i);
+    vec4 direction = texelFetch(light_texels, 2 + 3 * i);
     float angle = squared_magnification * square_degrees * squared_angle(here, direction.xyz);
-    sum += lights[i].light * eye_spread_far(min(angle, 32400.0), direction.w, scatter);
+    sum += light * eye_spread_far(min(angle, 32400.0), direction.w, scatter);
   }
   imageStore(far_veil, texel, squared_magnification * sum + (1.0 - near_light) * beyond);
   float spread = 0.0;

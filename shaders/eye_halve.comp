@@ -21,24 +21,23 @@ void main() {
   if (any(greaterThanEqual(texel, level_size(level)))) {
     return;
   }
-  float weight = 0.0;
+  // How much of the children's columns and rows lies in the picture.
+  vec4 parts = clamp((eye.size / texel_side(level - 1) - 2.0 * vec2(texel)).xyxy - vec4(0.0, 0.0, 1.0, 1.0), 0.0, 1.0);
   vec4 sum = vec4(0.0);
   vec4 of_extended = vec4(0.0);
   vec2 moment = vec2(0.0);
   for (int i = 0; i < 4; ++i) {
-    ivec2 offset = ivec2(i % 2, i / 2);
-    ivec2 child = 2 * texel + offset;
-    float part = coverage(child, level - 1);
-    if (part > 0.0) {
-      vec4 here = part * texelFetch(light, child, level - 1);
-      weight += part;
-      sum += here;
-      moment += max(here.y, 0.0) * (0.5 * (texelFetch(centre, child, level - 1).xy + vec2(offset)) - 0.25);
+    ivec2 offset = ivec2(i & 1, i >> 1);
+    float part = parts[2 * offset.x] * parts[2 * offset.y + 1];
+    ivec2 child = 2 * texel + offset * int(part > 0.0);
+    vec4 here = part * texelFetch(light, child, level - 1);
+    sum += here;
+    moment += max(here.y, 0.0) * (0.5 * (texelFetch(centre, child, level - 1).xy + vec2(offset)) - 0.25);
 #ifdef POINTS
-      of_extended += part * texelFetch(extended, child, level - 1);
+    of_extended += part * texelFetch(extended, child, level - 1);
 #endif
-    }
   }
+  float weight = (parts.x + parts.z) * (parts.y + parts.w);
   imageStore(next_light, texel, sum / weight);
   imageStore(next_centre, texel, vec4(sum.y > 0.0 ? clamp(moment / sum.y, -0.5, 0.5) : vec2(0.0), 0.0, 0.0));
 #ifdef POINTS

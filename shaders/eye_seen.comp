@@ -24,20 +24,28 @@ float level_variance(int level) {
   return (side * side - 1.0) / 12.0 + 0.25 * side * side + block_side * block_side / 6.0;
 }
 
+// Quadratic B-splines of the texels beside and here, for a place that is off the middle by -0.5 to 0.5.
+vec3 b_splines(float off) {
+  return vec3(0.5 * (0.5 - off) * (0.5 - off), 0.75 - off * off, 0.5 * (0.5 + off) * (0.5 + off));
+}
+
+vec4 light_in_row(int row, ivec3 columns, vec3 weights, int level) {
+  return weights.x * texelFetch(extended, ivec2(columns.x, row), level) +
+         weights.y * texelFetch(extended, ivec2(columns.y, row), level) +
+         weights.z * texelFetch(extended, ivec2(columns.z, row), level);
+}
+
 vec4 level_light(vec2 pixel, int level) {
-  vec2 at = pixel / texel_side(level) - 0.5;
-  ivec2 nearest = ivec2(floor(at + 0.5));
+  vec2 at = pixel / texel_side(level);
+  ivec2 nearest = ivec2(at);
+  vec2 off = at - vec2(nearest) - 0.5;
   ivec2 size = level_size(level);
-  vec4 sum = vec4(0.0);
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      vec2 mirror;
-      ivec2 from = in_picture(nearest + ivec2(x, y), size, mirror);
-      vec2 away = vec2(nearest + ivec2(x, y)) - at;
-      sum += b_spline(away.x) * b_spline(away.y) * texelFetch(extended, from, level);
-    }
-  }
-  return sum;
+  ivec3 columns = columns_beside(nearest.x, size.x);
+  ivec3 rows = beside(nearest.y, size.y);
+  vec3 across = b_splines(off.x);
+  vec3 down = b_splines(off.y);
+  return down.x * light_in_row(rows.x, columns, across, level) + down.y * light_in_row(rows.y, columns, across, level) +
+         down.z * light_in_row(rows.z, columns, across, level);
 }
 
 void main() {

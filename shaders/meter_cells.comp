@@ -17,7 +17,9 @@ layout(location = 1) uniform float focal;
 layout(location = 2) uniform ivec2 strip; // first row and number of rows
 layout(location = 3) uniform ivec2 cells;
 layout(location = 4) uniform int samples; // along a cell's edge
-layout(location = 5) uniform float foveal; // per sr; 0 for the whole field
+#ifdef FOVEAL
+layout(location = 5) uniform float foveal; // per sr
+#endif
 layout(std430, binding = 0) buffer Cells { vec4 sums[]; }; // Y, S, weight: of extended light
 
 void main() {
@@ -45,11 +47,11 @@ void main() {
     vec4 extended = max(texelFetch(frame, texel, 0) - texelFetch(points, texel, 0), vec4(0.0));
 #endif
     float weight = 1.0 / per_steradian;
-    if (foveal > 0.0) {
-      vec3 direction;
-      unproject(place * size, picture, direction);
-      weight *= exp(-foveal * 2.0 * (1.0 - direction.z));
-    }
+#ifdef FOVEAL
+    vec3 direction;
+    unproject(place * size, picture, direction);
+    weight *= exp(-foveal * 2.0 * (1.0 - direction.z));
+#endif
     sum += weight * vec4(extended.y, extended.w, 1.0, 0.0);
   }
   sums[cell.y * cells.x + cell.x] = sum;

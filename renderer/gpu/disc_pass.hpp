@@ -29,6 +29,12 @@ public:
 
   /// Whether it is drawn as a point.
   [[nodiscard]] bool is_point() const { return is_point_; }
+  /// Marks where it will be drawn as a point.
+  void mark(PointTiles& tiles) const {
+    if (is_point_) {
+      point_.mark(tiles);
+    }
+  }
   /// Draws into the bound framebuffer, with the stage's own block and textures bound where it is used: for a disc that
   /// is neither point nor sprite.
   void draw(const Strip& strip) { draw(strip, true); }

@@ -87,7 +87,7 @@ void DisplayChain::start(const View& view) {
 
 void DisplayChain::look(const StripLight& light) {
   if (through_optics_) {
-    optics_->add(light.frame, &light.points, light.strip);
+    optics_->add(light);
   } else {
     meter_.add(light);
   }
@@ -113,22 +113,31 @@ void DisplayChain::find_curve() {
   if (settings_.noise) {
     defines.emplace_back("NOISE");
   }
-  program_ = &programs_.get(defines);
-  const GLuint program = program_->name();
-  glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
-  glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
-  glProgramUniform1f(program, 3, settings_.format == PixelFormat::rgba16 ? 65535.0F : 255.0F);
-  glProgramUniform1ui(program, 4, settings_.seed);
-  glProgramUniform1i(program, 5, settings_.night_vision ? 1 : 0);
-  glProgramUniform1i(program, 6, settings_.tone.tone == ToneOperator::photographic ? 0 : 1);
-  if (settings_.noise) {
-    glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
+  for (const bool with_points : {false, true}) {
+    if (with_points) {
+      defines.emplace_back("POINTS");
+    }
+    const ProgramHandle& handle = programs_.get(defines);
+    of_tiles_.at(with_points ? 1 : 0) = &handle;
+    const GLuint program = handle.name();
+    glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
+    glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
+    glProgramUniform1f(program, 3, settings_.format == PixelFormat::rgba16 ? 65535.0F : 255.0F);
+    glProgramUniform1ui(program, 4, settings_.seed);
+    glProgramUniform1i(program, 5, settings_.night_vision ? 1 : 0);
+    glProgramUniform1i(program, 6, settings_.tone.tone == ToneOperator::photographic ? 0 : 1);
+    if (through_optics_) {
+      glProgramUniform1i(program, 11, optics_->wraps() ? 1 : 0);
+    }
+    if (settings_.noise) {
+      glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
+    }
+    const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz / display_.range_cd_m2);
+    glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
+    const f32::vec3 rod_hue(color_adaptation_.rod_hue);
+    glProgramUniform3fv(program, 9, 1, &rod_hue[0]);
+    set_display(handle, display_location, display_);
   }
-  const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz / display_.range_cd_m2);
-  glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
-  const f32::vec3 rod_hue(color_adaptation_.rod_hue);
-  glProgramUniform3fv(program, 9, 1, &rod_hue[0]);
-  set_display(*program_, display_location, display_);
   looked_ = false;
 }
 
@@ -136,10 +145,6 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   if (looked_) {
     find_curve();
   }
-  constexpr GLuint group = 16;
-  const auto groups = [](int size) { return (static_cast<GLuint>(size) + group - 1) / group; };
-  glProgramUniform2i(program_->name(), 2, light.strip.first_row, light.strip.rows);
-  glUseProgram(program_->name());
   glBindTextureUnit(0, light.frame.name());
   glBindTextureUnit(1, light.points.name());
   glBindTextureUnit(2, nodes_.name());
@@ -148,7 +153,12 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
     glBindTextureUnit(4, optics_->shares().name());
   }
   glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
-  glDispatchCompute(groups(view_.width), groups(light.strip.rows), 1);
+  for (const bool with_points : {false, true}) {
+    const GLuint program = of_tiles_.at(with_points ? 1 : 0)->name();
+    glProgramUniform2i(program, 2, light.strip.first_row, light.strip.rows);
+    glUseProgram(program);
+    light.tiles.dispatch(with_points);
+  }
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

@@ -11,6 +11,7 @@
 #include "vesper/plan/display.hpp"
 #include "vesper/plan/tone_curve.hpp"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -61,9 +62,9 @@ private:
   ColorAdaptation color_adaptation_;
   ProgramVariants programs_;
   LightMeter meter_;
-  std::unique_ptr<EyeOptics> optics_; ///< once it is asked for
-  bool through_optics_ = false;       ///< this picture
-  const ProgramHandle* program_ = nullptr;
+  std::unique_ptr<EyeOptics> optics_;              ///< once it is asked for
+  bool through_optics_ = false;                    ///< this picture
+  std::array<const ProgramHandle*, 2> of_tiles_{}; ///< without points, with them
   View view_;
   bool looked_ = false; ///< and no curve found yet
   LightHistogram histogram_;

@@ -3,6 +3,7 @@
 
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/point_tiles.hpp"
 #include "vesper/plan/view.hpp"
 
 namespace vesper::gpu {
@@ -10,9 +11,10 @@ namespace vesper::gpu {
 /// The light of a picture's strip on the GPU. Textures have the picture's width and at least the strip's rows; their
 /// row 0 is the strip's first.
 struct StripLight {
-  const Texture& frame;  ///< rgba32f: X, Y, Z in cd/m2 and S, all light of the scene
-  const Texture& points; ///< likewise, the part of it that comes from points: stars, planets, discs too small to show
-  Strip strip;           ///< its first row is a multiple of 4
+  const Texture& frame;    ///< rgba32f: X, Y, Z in cd/m2 and S, all light of the scene
+  const Texture& points;   ///< likewise, the part of it that comes from points: stars, planets, discs too small to show
+  const PointTiles& tiles; ///< the strip's are listed; elsewhere than in those with points, `points` is 0
+  Strip strip;             ///< its first row is a multiple of 4
 };
 
 /// Frame in, display pixels out. Adaptation, glare, acuity, noise and tone belong behind this interface; the frame
@@ -34,7 +36,8 @@ public:
   /// Takes in a strip for what depends on the whole picture.
   virtual void look(const StripLight& light) = 0;
 
-  /// Fills `pixels` (the display's code values; row 0 is the strip's first) once all strips have been looked at.
+  /// Fills `pixels` (the display's code values; row 0 is the strip's first, what lies past its last is undefined) once
+  /// all strips have been looked at.
   virtual void map(const StripLight& light, const Texture& pixels) = 0;
 };
 

@@ -28,16 +28,15 @@ struct EyeBlock {
   std::array<float, 4> media;
   std::array<float, 2> size;
   float focal;
-  std::int32_t projection;
   std::int32_t cell_level;
   std::int32_t columns;
   std::int32_t lights;
   std::int32_t wraps;
   std::int32_t glare;
   std::int32_t acuity;
-  std::array<std::int32_t, 2> padding;
+  std::array<std::int32_t, 3> padding;
 };
-static_assert(offsetof(EyeBlock, size) == 32 && offsetof(EyeBlock, cell_level) == 48 && sizeof(EyeBlock) == 80);
+static_assert(offsetof(EyeBlock, size) == 32 && offsetof(EyeBlock, cell_level) == 44 && sizeof(EyeBlock) == 80);
 
 /// shaders/eye_lights.glsl in std430.
 struct EyeLight {
@@ -134,6 +133,7 @@ struct EyeOptics::Pyramid {
     near_shares = make_levels(2 * columns, 2 * rows, 1, GL_RG32F);
     const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) + unseen;
     lights = make_dynamic_buffer(sizeof(std::array<float, 4>) + count * sizeof(EyeLight));
+    light_texels = make_buffer_texture(lights, 4);
   }
 
   [[nodiscard]] int cells() const {
@@ -141,9 +141,6 @@ struct EyeOptics::Pyramid {
     return up(width, side) * up(height, side);
   }
   [[nodiscard]] const Texture& of_extended() const { return points ? extended : light; }
-  [[nodiscard]] std::vector<std::string> defines() const {
-    return points ? std::vector<std::string>{"POINTS"} : std::vector<std::string>{};
-  }
   [[nodiscard]] int across(int level) const { return columns << (cell_level - level); }
   [[nodiscard]] int down(int level) const { return rows << (cell_level - level); }
 
@@ -162,20 +159,21 @@ struct EyeOptics::Pyramid {
   Texture far_veil;
   Texture near_shares;
   Buffer lights;
+  Texture light_texels; ///< the same
 };
 
-EyeOptics::EyeOptics(const ShaderLibrary& library)
-    : blocks_programs_(library, {"eye_blocks.comp"}), halve_programs_(library, {"eye_halve.comp"}),
-      spread_(build_program(library, {"eye_spread.comp"})), cells_(build_program(library, {"eye_cells.comp"})),
-      beyond_(build_program(library, {"eye_beyond.comp"})), far_(build_program(library, {"eye_far.comp"})),
-      veil_(build_program(library, {"eye_veil.comp"})), seen_(build_program(library, {"eye_seen.comp"})),
-      uniforms_(make_dynamic_buffer(sizeof(EyeBlock))) {}
+EyeOptics::EyeOptics(const ShaderLibrary& library) : uniforms_(make_dynamic_buffer(sizeof(EyeBlock))) {
+  for (const char* stage : {"eye_blocks.comp", "eye_points.comp", "eye_halve.comp", "eye_spread.comp", "eye_cells.comp",
+                            "eye_beyond.comp", "eye_far.comp", "eye_veil.comp", "eye_seen.comp"}) {
+    stages_.emplace_back(library, std::vector<std::string>{stage});
+  }
+}
 
 EyeOptics::~EyeOptics() = default;
 
-void EyeOptics::see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings) {
-  start(view, settings, points != nullptr);
-  add(frame, points, {0, view.height});
+void EyeOptics::see(const Texture& frame, const View& view, const EyeOpticsSettings& settings) {
+  start(view, settings, false);
+  add(frame, {0, view.height});
   finish();
 }
 
@@ -198,19 +196,22 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   }
   const f64::EyeScatter& eye = observer_.scatter;
   glare_ = settings.glare;
+  defines_ = {fmt::format("PROJECTION {}", static_cast<int>(view.projection))};
+  if (has_points) {
+    defines_.emplace_back("POINTS");
+  }
   const f64::ProjectionFrame projection = projection_frame(view);
-  const bool wraps = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
+  wraps_ = view.projection == Projection::equirectangular && view.width == block_side * levels.across(0);
   const auto real = [](double value) { return static_cast<float>(value); };
   EyeBlock block{};
   block.optics = {real(eye.narrow), real(eye.wide), real(eye.pigmented), real(eye.skirt)};
   block.media = {real(eye.iris), real(eye.parabola), real(eye.wall), real(settings.magnification)};
   block.size = {real(view.width), real(view.height)};
   block.focal = real(projection.focal);
-  block.projection = projection.kind;
   block.cell_level = levels.cell_level;
   block.columns = levels.columns;
   block.lights = levels.cells() + static_cast<int>(levels.unseen);
-  block.wraps = wraps ? 1 : 0;
+  block.wraps = wraps_ ? 1 : 0;
   block.glare = settings.glare ? 1 : 0;
   block.acuity = settings.acuity ? 1 : 0;
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
@@ -232,13 +233,13 @@ void EyeOptics::start(const View& view, const EyeOpticsSettings& settings, bool 
   const std::array<const Texture*, 6> interpolated{&levels.spread,      &levels.veil, &levels.far_veil,
                                                    &levels.near_shares, &added_,      &shares_};
   for (const Texture* texture : interpolated) {
-    set_wrap(*texture, wraps);
+    set_wrap(*texture, wraps_);
   }
 }
 
-void EyeOptics::add(const Texture& frame, const Texture* points, const Strip& strip) {
+void EyeOptics::add(const Texture& frame, const Strip& strip) {
   const Pyramid& levels = *pyramid_;
-  const ProgramHandle& program = blocks_programs_.get(levels.defines());
+  const ProgramHandle& program = program_of(Stage::blocks);
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
   glProgramUniform2i(program.name(), 0, strip.first_row / block_side, strip.rows);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
@@ -247,9 +248,20 @@ void EyeOptics::add(const Texture& frame, const Texture* points, const Strip& st
   glBindTextureUnit(0, frame.name());
   if (levels.points) {
     write_to(2, levels.extended, 0, GL_RGBA32F);
-    glBindTextureUnit(1, points->name());
   }
   run(program, levels.across(0), up(strip.rows, block_side));
+}
+
+void EyeOptics::add(const StripLight& light) {
+  add(light.frame, light.strip);
+  const GLuint program = program_of(Stage::points).name();
+  glProgramUniform2i(program, 0, light.strip.first_row / block_side, light.strip.rows);
+  glUseProgram(program);
+  glBindTextureUnit(0, pyramid_->light.name());
+  glBindTextureUnit(1, light.points.name());
+  write_to(0, pyramid_->extended, 0, GL_RGBA32F);
+  light.tiles.dispatch(true);
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void EyeOptics::finish() {
@@ -260,7 +272,7 @@ void EyeOptics::finish() {
   glBindTextureUnit(1, levels.centre.name());
   glBindTextureUnit(2, levels.extended.name());
   for (int level = 1; level <= levels.cell_level; ++level) {
-    const ProgramHandle& halve = halve_programs_.get(levels.defines());
+    const ProgramHandle& halve = program_of(Stage::halve);
     glProgramUniform1i(halve.name(), 0, level);
     write_to(0, levels.light, level, GL_RGBA32F);
     write_to(1, levels.centre, level, GL_RG32F);
@@ -279,29 +291,36 @@ void EyeOptics::finish() {
   glBindTextureUnit(4, levels.of_extended().name());
   write_to(0, added_, 0, GL_RGBA32F);
   write_to(1, shares_, 0, GL_RG32F);
-  run(seen_, levels.across(0), levels.down(0));
+  run(program_of(Stage::seen), levels.across(0), levels.down(0));
   require_no_error("seeing a picture with an eye");
+}
+
+const ProgramHandle& EyeOptics::program_of(Stage stage) {
+  return stages_.at(static_cast<std::size_t>(stage)).get(defines_);
 }
 
 void EyeOptics::scatter() {
   const Pyramid& levels = *pyramid_;
   for (int level = finest_veil; level <= levels.cell_level; ++level) {
-    glProgramUniform1i(spread_.name(), 0, level);
+    const ProgramHandle& spread = program_of(Stage::spread);
+    glProgramUniform1i(spread.name(), 0, level);
     write_to(0, levels.spread, level, GL_RGBA32F);
-    run(spread_, levels.across(level), levels.down(level));
+    run(spread, levels.across(level), levels.down(level));
   }
-  run(cells_, levels.cells(), 1, group_of_row, 1);
-  run(beyond_, 1, 1, 1, 1);
+  run(program_of(Stage::cells), levels.cells(), 1, group_of_row, 1);
+  run(program_of(Stage::beyond), 1, 1, 1, 1);
   write_to(0, levels.far_veil, 0, GL_RGBA32F);
   write_to(1, levels.near_shares, 0, GL_RG32F);
-  run(far_, 2 * levels.columns, 2 * levels.rows);
+  glBindTextureUnit(0, levels.light_texels.name());
+  run(program_of(Stage::far), 2 * levels.columns, 2 * levels.rows);
   glBindTextureUnit(0, levels.spread.name());
   glBindTextureUnit(1, levels.veil.name());
   glBindTextureUnit(2, levels.far_veil.name());
   for (int level = levels.cell_level; level >= finest_veil; --level) {
-    glProgramUniform1i(veil_.name(), 0, level);
+    const ProgramHandle& veil = program_of(Stage::veil);
+    glProgramUniform1i(veil.name(), 0, level);
     write_to(0, levels.veil, level, GL_RGBA32F);
-    run(veil_, levels.across(level), levels.down(level));
+    run(veil, levels.across(level), levels.down(level));
   }
 }
 

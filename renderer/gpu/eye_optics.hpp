@@ -4,13 +4,16 @@
 
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/vector.hpp"
+#include "vesper/gpu/display_mapping.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/plan/view.hpp"
 
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace vesper::gpu {
@@ -63,13 +66,16 @@ public:
   void start(const View& view, const EyeOpticsSettings& settings, bool has_points);
   /// Takes in a strip, which starts at a multiple of 4 rows; strips come in any order.
   /// \param frame  rgba32f of the view's width, its row 0 the strip's first: all light, X, Y, Z in cd/m2 and S
-  /// \param points likewise: the part of it that comes from points; null for none
-  void add(const Texture& frame, const Texture* points, const Strip& strip);
+  void add(const Texture& frame, const Strip& strip);
+  /// Likewise, of a picture with points.
+  void add(const StripLight& light);
   /// Once all strips are in: makes what follows.
   void finish();
-  /// The three in one, of a picture in one piece.
-  void see(const Texture& frame, const Texture* points, const View& view, const EyeOpticsSettings& settings);
+  /// The three in one, of a picture without points in one piece.
+  void see(const Texture& frame, const View& view, const EyeOpticsSettings& settings);
 
+  /// Whether the picture's left edge continues its right one, as that of an equirectangular one in whole blocks does.
+  [[nodiscard]] bool wraps() const { return wraps_; }
   /// Extended light in blocks of 4 x 4 pixels as it came in: rgba32f, of the size of added(); nothing past the picture.
   [[nodiscard]] const Texture& blocks() const;
   /// What extended light gains: rgba32f, X, Y, Z in cd/m2 and S.
@@ -84,22 +90,19 @@ private:
     double pigmentation = 0.0;
     f64::EyeScatter scatter{}; ///< over its integral over the sphere
   };
+  enum class Stage : std::uint8_t { blocks, points, halve, spread, cells, beyond, far, veil, seen };
+  const ProgramHandle& program_of(Stage stage);
   void scatter();
 
-  ProgramVariants blocks_programs_;
-  ProgramVariants halve_programs_;
-  ProgramHandle spread_;
-  ProgramHandle cells_;
-  ProgramHandle beyond_;
-  ProgramHandle far_;
-  ProgramHandle veil_;
-  ProgramHandle seen_;
+  std::vector<ProgramVariants> stages_;
+  std::vector<std::string> defines_; ///< that the picture's stages are built with
   Buffer uniforms_;
   Texture added_;
   Texture shares_;
   std::unique_ptr<Pyramid> pyramid_;
   Observer observer_; ///< of the last picture
   bool glare_ = false;
+  bool wraps_ = false;
 };
 
 } // namespace vesper::gpu

@@ -31,10 +31,6 @@ void clear(const Buffer& buffer) {
   glClearNamedBufferData(buffer.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
-std::string projection_define(const View& view) {
-  return fmt::format("PROJECTION {}", static_cast<int>(view.projection));
-}
-
 GLuint meter_groups(int size, int group) { return static_cast<GLuint>((size + group - 1) / group); }
 
 } // namespace
@@ -52,6 +48,10 @@ void LightMeter::start(const View& view, Metering metering) {
   grid_ = grid;
   view_ = view;
   metering_ = metering;
+  defines_ = {fmt::format("PROJECTION {}", static_cast<int>(view.projection))};
+  if (metering == Metering::foveal) {
+    defines_.emplace_back("FOVEAL");
+  }
   clear(cells_);
   clear(bins_);
   // All weights stay below 2^31; a sample stands for as many pixels as there are fewer of them.
@@ -63,26 +63,29 @@ void LightMeter::start(const View& view, Metering metering) {
 void LightMeter::add(const StripLight& light) {
   glBindTextureUnit(0, light.frame.name());
   glBindTextureUnit(1, light.points.name());
-  add_cells(cell_programs_.get({projection_define(view_)}), light.strip);
+  add_cells(defines_, light.strip);
 }
 
 void LightMeter::add(const EyeOptics& optics) {
   glBindTextureUnit(0, optics.blocks().name());
   glBindTextureUnit(3, optics.added().name());
   glBindTextureUnit(4, optics.shares().name());
-  add_cells(cell_programs_.get({projection_define(view_), "EYE"}), {0, view_.height});
+  std::vector<std::string> defines = defines_;
+  defines.emplace_back("EYE");
+  add_cells(defines, {0, view_.height});
 }
 
-void LightMeter::add_cells(const ProgramHandle& handle, const Strip& strip) {
-  const GLuint program = handle.name();
-  const double half_at_sr = 2.0 * (1.0 - std::cos((5.0 * deg).to(rad)));
+void LightMeter::add_cells(const std::vector<std::string>& defines, const Strip& strip) {
+  const GLuint program = cell_programs_.get(defines).name();
   glProgramUniform2f(program, 0, static_cast<float>(view_.width), static_cast<float>(view_.height));
   glProgramUniform1f(program, 1, static_cast<float>(projection_frame(view_).focal));
   glProgramUniform2i(program, 2, strip.first_row, strip.rows);
   glProgramUniform2i(program, 3, grid_.columns, grid_.rows);
   glProgramUniform1i(program, 4, grid_.samples);
-  glProgramUniform1f(program, 5,
-                     metering_ == Metering::foveal ? static_cast<float>(std::numbers::ln2 / half_at_sr) : 0.0F);
+  if (metering_ == Metering::foveal) {
+    const double half_at_sr = 2.0 * (1.0 - std::cos((5.0 * deg).to(rad)));
+    glProgramUniform1f(program, 5, static_cast<float>(std::numbers::ln2 / half_at_sr));
+  }
   glUseProgram(program);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, cells_.name());
   glDispatchCompute(meter_groups(grid_.columns, 8), meter_groups(grid_.rows, 8), 1);

@@ -7,6 +7,9 @@
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/plan/light_metering.hpp"
 
+#include <string>
+#include <vector>
+
 namespace vesper::gpu {
 
 class LightMeter {
@@ -24,12 +27,13 @@ public:
   [[nodiscard]] LightHistogram histogram();
 
 private:
-  void add_cells(const ProgramHandle& handle, const Strip& strip);
+  void add_cells(const std::vector<std::string>& defines, const Strip& strip);
 
   ProgramVariants cell_programs_;
   ProgramHandle histogram_program_;
   View view_;
   Metering metering_ = Metering::whole_field;
+  std::vector<std::string> defines_; ///< that the picture asks of meter_cells.comp
   MeteringGrid grid_;
   Buffer cells_;
   Buffer bins_;

@@ -32,6 +32,8 @@ public:
 
   /// Whether it is drawn as a point.
   [[nodiscard]] bool is_point() const { return disc_.is_point(); }
+  /// Marks where it will be drawn as one.
+  void mark(PointTiles& tiles) const { disc_.mark(tiles); }
   /// Only hides what is behind it; for a disc.
   void hide(const Strip& strip);
 

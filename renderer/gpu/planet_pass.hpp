@@ -20,6 +20,9 @@ public:
   /// Places the planets of a frame that are not fainter than the plan's limit in the picture.
   void place(const SkyState& sky, const View& view, const FramePlan& plan);
 
+  /// Marks where the placed planets will be drawn.
+  void mark(PointTiles& tiles) const { points_.mark(tiles); }
+
   /// Draws the placed planets into the bound framebuffer.
   void draw(const Strip& strip) { points_.draw(strip); }
 

@@ -16,6 +16,9 @@ public:
 
   void place(const PointLight& point, const SkyState& sky, const View& view, const FramePlan& plan);
 
+  /// Marks where it will be drawn.
+  void mark(PointTiles& tiles) const { points_.mark(tiles); }
+
   /// Adds the point to the bound framebuffer.
   void draw(const Strip& strip) { points_.draw(strip); }
 

@@ -59,7 +59,7 @@ struct Renderer::Target {
 
 Renderer::Renderer(const ShaderLibrary& library)
     : star_pass_(library), planet_pass_(library), dark_sky_pass_(library), moon_pass_(library), sun_pass_(library),
-      ground_pass_(library), sky_pass_(library) {}
+      ground_pass_(library), sky_pass_(library), point_tiles_(library) {}
 
 Renderer::~Renderer() = default;
 
@@ -95,6 +95,11 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
       draw_into(on.framebuffer, attachments);
     }
   };
+  const auto mark = [&](const auto& pass) {
+    if (on.points) {
+      pass.mark(point_tiles_);
+    }
+  };
   // Draws light of points, or covers it, in the frame and where it is kept by itself.
   const auto with_points = [&keep](auto& pass, const Strip& strip) {
     keep(Attachments::both);
@@ -114,6 +119,9 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     }
   };
 
+  if (on.points) {
+    point_tiles_.start(view.width, view.height);
+  }
   FrameGraph graph;
   graph.add("clear", [&](const Strip&) {
     const std::array<float, 4> black{};
@@ -125,11 +133,17 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     keep(Attachments::first);
   });
   if (plan.star_count > 0) {
-    timed("stars", timings, [&] { star_pass_.place(sky, view, plan, outputs.star_shading); });
+    timed("stars", timings, [&] {
+      star_pass_.place(sky, view, plan, outputs.star_shading);
+      mark(star_pass_);
+    });
     graph.add("stars", [&](const Strip& strip) { with_points(star_pass_, strip); });
   }
   if (has(plan.options.layers, Layer::planets)) {
-    timed("planets", timings, [&] { planet_pass_.place(sky, view, plan); });
+    timed("planets", timings, [&] {
+      planet_pass_.place(sky, view, plan);
+      mark(planet_pass_);
+    });
     graph.add("planets", [&](const Strip& strip) { with_points(planet_pass_, strip); });
   }
   if (plan.dark_sky) {
@@ -137,11 +151,17 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     graph.add("zodiacal", [&](const Strip& strip) { dark_sky_pass_.draw_beyond(strip); });
   }
   if (plan.moon) {
-    timed("moon", timings, [&] { moon_pass_.prepare(sky, view, plan, outputs.moon_shading); });
+    timed("moon", timings, [&] {
+      moon_pass_.prepare(sky, view, plan, outputs.moon_shading);
+      mark(moon_pass_);
+    });
     graph.add("moon", [&](const Strip& strip) { with_disc(moon_pass_, strip); });
   }
   if (plan.sun) {
-    timed("sun", timings, [&] { sun_pass_.prepare(sky, view, plan); });
+    timed("sun", timings, [&] {
+      sun_pass_.prepare(sky, view, plan);
+      mark(sun_pass_);
+    });
     graph.add("sun", [&](const Strip& strip) { with_disc(sun_pass_, strip); });
   }
   if (has(plan.options.layers, Layer::ground)) {
@@ -164,6 +184,9 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     graph.run(strip, timings);
     // Mappings read what was drawn.
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+    if (on.points) {
+      point_tiles_.list(strip);
+    }
   };
   const auto for_each_strip = [&](const auto& work) {
     for (int first = 0; first < view.height; first += rows) {
@@ -175,7 +198,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
     outputs.mapping->start(view);
     for_each_strip([&](const Strip& strip) {
       draw(strip);
-      timed("look", timings, [&] { outputs.mapping->look({on.frame, on.points, strip}); });
+      timed("look", timings, [&] { outputs.mapping->look({on.frame, on.points, point_tiles_, strip}); });
     });
   }
   for_each_strip([&](const Strip& strip) {
@@ -183,7 +206,7 @@ Frame Renderer::render(const SkyState& sky, const View& view, const FramePlan& p
       draw(strip);
     }
     if (outputs.mapping != nullptr) {
-      timed("display", timings, [&] { outputs.mapping->map({on.frame, on.points, strip}, on.pixels); });
+      timed("display", timings, [&] { outputs.mapping->map({on.frame, on.points, point_tiles_, strip}, on.pixels); });
     }
     timed("read back", timings, [&] {
       if (outputs.xyzs) {

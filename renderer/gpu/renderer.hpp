@@ -8,6 +8,7 @@
 #include "vesper/gpu/ground_pass.hpp"
 #include "vesper/gpu/moon_pass.hpp"
 #include "vesper/gpu/planet_pass.hpp"
+#include "vesper/gpu/point_tiles.hpp"
 #include "vesper/gpu/shader_library.hpp"
 #include "vesper/gpu/sky_pass.hpp"
 #include "vesper/gpu/star_pass.hpp"
@@ -65,6 +66,7 @@ private:
   SunPass sun_pass_;
   GroundPass ground_pass_;
   SkyPass sky_pass_;
+  PointTiles point_tiles_;
   std::unique_ptr<Target> target_;
   int strip_limit_ = 0;
 };

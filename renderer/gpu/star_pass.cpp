@@ -203,6 +203,14 @@ void StarPass::place(const SkyState& sky, const View& view, const FramePlan& pla
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
+void StarPass::mark(PointTiles& tiles) const {
+  constexpr std::size_t stride = sizeof(StarBillboard) / sizeof(PointTiles::Box);
+  constexpr std::size_t first = offsetof(StarBillboard, box) / sizeof(PointTiles::Box);
+  if (instances_ > 0) {
+    tiles.mark(billboards_, instances_, first, stride);
+  }
+}
+
 void StarPass::draw(const Strip& strip) {
   if (instances_ == 0) {
     return;

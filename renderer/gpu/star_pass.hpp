@@ -5,6 +5,7 @@
 #include "vesper/gpu/extinction_texture.hpp"
 #include "vesper/gpu/frame.hpp"
 #include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/point_tiles.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/refraction_texture.hpp"
 #include "vesper/plan/frame_plan.hpp"
@@ -32,6 +33,9 @@ public:
 
   /// Places the stars of a frame in the picture, on the GPU.
   void place(const SkyState& sky, const View& view, const FramePlan& plan, StarShading shading = StarShading::psf);
+
+  /// Marks where the placed stars will be drawn.
+  void mark(PointTiles& tiles) const;
 
   /// Draws the placed stars into the bound framebuffer.
   void draw(const Strip& strip);

@@ -28,11 +28,16 @@ void display_chain(benchmark::State& state, double luminance, const gpu::Display
   view.height = height;
   std::vector<float> light;
   std::vector<float> stars;
+  std::vector<gpu::PointTiles::Box> boxes;
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const double y = luminance * std::exp(2.0 * row / height);
       const bool star = column % 20 < 3 && row % 60 < 3;
       const double point = star ? luminance : 0.0;
+      if (column % 20 == 0 && row % 60 == 0) {
+        boxes.push_back({static_cast<float>(column), static_cast<float>(row), static_cast<float>(column + 3),
+                         static_cast<float>(row + 3)});
+      }
       for (const double part : {0.9, 1.0, 1.3, 2.2}) {
         light.push_back(static_cast<float>(part * (y + point)));
         stars.push_back(static_cast<float>(part * point));
@@ -45,9 +50,13 @@ void display_chain(benchmark::State& state, double luminance, const gpu::Display
   const gpu::Texture plain_pixels = gpu::make_texture(width, height, gpu::PixelFormat::rgba8);
   const bench::PlainHable hable(static_cast<float>(0.2 / luminance));
   gpu::DisplayChain chain(shaders, settings);
-  const gpu::StripLight strip{frame, points, {0, height}};
+  gpu::PointTiles tiles(shaders);
+  const gpu::StripLight strip{frame, points, tiles, {0, height}};
   const auto plain = [&] { hable.run(frame, plain_pixels, width, height); };
   const auto look = [&] {
+    tiles.start(width, height);
+    tiles.mark(boxes);
+    tiles.list({0, height});
     chain.start(view);
     chain.look(strip);
   };

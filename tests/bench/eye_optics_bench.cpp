@@ -37,7 +37,19 @@ void eye_optics(benchmark::State& state, bool glare, bool acuity, bool has_point
   const gpu::Texture points = gpu::make_table_texture(width, std::vector<float>(light.size(), 0.0F));
   const gpu::Texture pixels = gpu::make_texture(width, height, gpu::PixelFormat::rgba8);
   const bench::PlainHable hable(1.0F);
-  const auto see = [&] { eye.see(frame, has_points ? &points : nullptr, view, {.glare = glare, .acuity = acuity}); };
+  gpu::PointTiles tiles(shaders);
+  tiles.start(width, height);
+  tiles.list({0, height});
+  const auto see = [&] {
+    const gpu::EyeOpticsSettings settings{.glare = glare, .acuity = acuity};
+    if (!has_points) {
+      eye.see(frame, view, settings);
+      return;
+    }
+    eye.start(view, settings, true);
+    eye.add({frame, points, tiles, {0, height}});
+    eye.finish();
+  };
   const auto plain = [&] { hable.run(frame, pixels, width, height); };
   see();
   plain();

@@ -38,7 +38,7 @@ TEST_F(EyeAcuity, DarknessBlursAGratingAsAGaussianDoes) {
         }
       }
       const gpu::Texture frame = texture_of(picture);
-      eye.see(frame, nullptr, view, without_glare());
+      eye.see(frame, view, without_glare());
       const LightPicture seen = SeenPicture(eye).extended(picture);
       // The wave that is left in the middle half of the rows and columns.
       double left = 0.0;
@@ -74,7 +74,13 @@ TEST_F(EyeAcuity, PointsStaySharpAndLightIsKept) {
   all.at(100, 90) += glm::vec4(1.0F);
   const gpu::Texture frame = texture_of(all);
   const gpu::Texture of_points = texture_of(points);
-  eye.see(frame, &of_points, view, without_glare());
+  gpu::PointTiles tiles(shaders);
+  tiles.start(view.width, view.height);
+  tiles.mark(std::vector{gpu::PointTiles::Box{100.0F, 90.0F, 101.0F, 91.0F}});
+  tiles.list({0, view.height});
+  eye.start(view, without_glare(), true);
+  eye.add({frame, of_points, tiles, {0, view.height}});
+  eye.finish();
   const SeenPicture seen(eye);
   EXPECT_FLOAT_EQ(seen.shares({100.5, 90.5}).y, 1.0F);
   // What is seen of extended light knows nothing of the star.
@@ -101,7 +107,7 @@ TEST_F(EyeAcuity, PatchSpreadsAroundItsMiddleAndKeepsItsLight) {
     }
   }
   const gpu::Texture frame = texture_of(picture);
-  eye.see(frame, nullptr, view, without_glare());
+  eye.see(frame, view, without_glare());
   const LightPicture seen = SeenPicture(eye).extended(picture);
   double light = 0.0;
   Vec2 middle(0.0);

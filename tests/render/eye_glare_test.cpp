@@ -59,7 +59,7 @@ ErrorSum veil_errors(gpu::EyeOptics& eye, const View& view, const Source& source
   constexpr double least_pixels = 16.0;
   const LightPicture picture = lone_pixel(view, source);
   const gpu::Texture frame = texture_of(picture);
-  eye.see(frame, nullptr, view, {.acuity = false, .age_years = age});
+  eye.see(frame, view, {.acuity = false, .age_years = age});
   const SeenPicture seen(eye);
   const double whole = cie_light_within(180.0, age, 0.5);
   const Vec2 middle(source.column + 0.5, source.row + 0.5);
@@ -134,7 +134,7 @@ TEST_F(EyeGlare, KeepsTheLightOfTheSphere) {
   for (const LightPicture& picture : pictures) {
     for (const double age : {20.0, 75.0}) {
       const gpu::Texture frame = texture_of(picture);
-      eye.see(frame, nullptr, view, {.acuity = false, .age_years = age});
+      eye.see(frame, view, {.acuity = false, .age_years = age});
       errors.add(100.0 * (illuminance_of(SeenPicture(eye).extended(picture)) / illuminance_of(picture) - 1.0));
     }
   }
@@ -149,7 +149,7 @@ TEST_F(EyeGlare, LeavesInAFieldWhatTheCieHasThere) {
     const View view = view_of(Projection::fisheye, fov, 256, 256);
     const LightPicture picture = lone_pixel(view, {128, 127});
     const gpu::Texture frame = texture_of(picture);
-    eye.see(frame, nullptr, view, {.acuity = false});
+    eye.see(frame, view, {.acuity = false});
     const double share = illuminance_of(SeenPicture(eye).extended(picture)) / illuminance_of(picture);
     const double expected = cie_light_within(0.5 * fov, 30.0, 0.5) / whole;
     std::printf("  field of %g degrees: %.4f of the light, %.4f by the CIE\n", fov, share, expected);
@@ -167,7 +167,7 @@ TEST_F(EyeGlare, EvenSkyStaysEven) {
   for (const View& view : views) {
     const LightPicture picture(view, {2.0F, 3.0F, 4.0F, 5.0F});
     const gpu::Texture frame = texture_of(picture);
-    eye.see(frame, nullptr, view, {.acuity = false});
+    eye.see(frame, view, {.acuity = false});
     ErrorSum of_view;
     for (const glm::vec4& light : SeenPicture(eye).extended(picture).light) {
       errors.add(100.0 * (static_cast<double>(light.y) / 3.0 - 1.0));
@@ -184,7 +184,7 @@ TEST_F(EyeGlare, VeilIsRoundAndFallsWithoutSteps) {
   for (const Source source : {Source{240, 240}, Source{238, 241}, Source{133, 310}}) {
     const LightPicture picture = lone_pixel(view, source);
     const gpu::Texture frame = texture_of(picture);
-    eye.see(frame, nullptr, view, {.acuity = false});
+    eye.see(frame, view, {.acuity = false});
     const SeenPicture seen(eye);
     const Vec2 middle(source.column + 0.5, source.row + 0.5);
     double before = 0.0;
@@ -225,7 +225,7 @@ TEST_F(EyeGlare, HoldsExtremeLight) {
     }
     for (const LightPicture& picture : {LightPicture(view), sun, lone_pixel(view, {view.width - 1, view.height - 1})}) {
       const gpu::Texture frame = texture_of(picture);
-      eye.see(frame, nullptr, view, {});
+      eye.see(frame, view, {});
       const bool black = picture.light == LightPicture(view).light;
       for (const glm::vec4& light : SeenPicture(eye).extended(picture).light) {
         for (int channel = 0; channel < 4; ++channel) {
@@ -251,7 +251,7 @@ TEST_F(EyeGlare, OldEyesScatterMoreAndUnseenSourcesShow) {
   ErrorSum errors;
   double youngest = 0.0;
   for (const double age : {20.0, 50.0, 70.0, 85.0}) {
-    eye.see(frame, nullptr, view, {.acuity = false, .age_years = age, .unseen = {{source, Vec4(1.0)}}});
+    eye.see(frame, view, {.acuity = false, .age_years = age, .unseen = {{source, Vec4(1.0)}}});
     const SeenPicture seen(eye);
     for (const Vec2& pixel : {Vec2(20.0, 30.0), Vec2(120.0, 80.0), Vec2(236.0, 80.0)}) {
       const double angle = separation(direction_at(view, pixel), source).to(deg);
@@ -270,10 +270,10 @@ TEST_F(EyeGlare, RefusesWhatIsOutOfRange) {
   gpu::EyeOptics eye(shaders);
   const View view = view_of(Projection::fisheye, 180.0, 16, 16);
   const gpu::Texture frame = texture_of(LightPicture(view));
-  EXPECT_THROW(eye.see(frame, nullptr, view, {.age_years = 101.0}), Error);
-  EXPECT_THROW(eye.see(frame, nullptr, view, {.pigmentation = -0.1}), Error);
-  EXPECT_THROW(eye.see(frame, nullptr, view, {.magnification = 0.0}), Error);
-  EXPECT_THROW(eye.see(frame, nullptr, view_of(Projection::cubemap, 0.0, 16, 96), {}), Error);
+  EXPECT_THROW(eye.see(frame, view, {.age_years = 101.0}), Error);
+  EXPECT_THROW(eye.see(frame, view, {.pigmentation = -0.1}), Error);
+  EXPECT_THROW(eye.see(frame, view, {.magnification = 0.0}), Error);
+  EXPECT_THROW(eye.see(frame, view_of(Projection::cubemap, 0.0, 16, 96), {}), Error);
 }
 
 } // namespace

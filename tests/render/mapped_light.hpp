@@ -5,6 +5,7 @@
 
 #include "vesper/gpu/display_chain.hpp"
 #include "vesper/gpu/objects.hpp"
+#include "vesper/gpu/point_tiles.hpp"
 
 #include <epoxy/gl.h>
 
@@ -49,13 +50,31 @@ inline gpu::Texture texture_of(const View& view, const std::vector<float>& rgba)
   return texture;
 }
 
+/// The pixels that have light of points.
+inline std::vector<gpu::PointTiles::Box> boxes_of_points(const PictureLight& light) {
+  std::vector<gpu::PointTiles::Box> boxes;
+  for (std::size_t i = 0; i < light.points.size() / 4; ++i) {
+    if (light.points[4 * i + 1] != 0.0F) {
+      const auto column = static_cast<float>(i % static_cast<std::size_t>(light.view.width));
+      const auto row = static_cast<float>(i / static_cast<std::size_t>(light.view.width));
+      boxes.push_back({column, row, column + 1.0F, row + 1.0F});
+    }
+  }
+  return boxes;
+}
+
 /// Code values of 16 bits that a chain (of rgba16) makes of a picture in one piece.
 inline std::vector<std::uint16_t> codes_of(gpu::DisplayChain& chain, const PictureLight& light) {
   const View& view = light.view;
   const gpu::Texture frame = texture_of(view, light.frame);
   const gpu::Texture points = texture_of(view, light.points);
   const gpu::Texture pixels = gpu::make_texture(view.width, view.height, gpu::PixelFormat::rgba16);
-  const gpu::StripLight strip{frame, points, {0, view.height}};
+  const gpu::ShaderLibrary library;
+  gpu::PointTiles tiles(library);
+  tiles.start(view.width, view.height);
+  tiles.mark(boxes_of_points(light));
+  tiles.list({0, view.height});
+  const gpu::StripLight strip{frame, points, tiles, {0, view.height}};
   chain.start(view);
   chain.look(strip);
   chain.map(strip, pixels);
