@@ -44,6 +44,7 @@ layout(location = 6) uniform int points_as_seen; // 0: points count by their lum
 layout(location = 7) uniform float seconds;
 #endif
 layout(location = 8) uniform mat3 signal_from_xyz; // of light over the floor
+layout(location = 9) uniform vec3 rod_hue;         // night_hue once it is shown
 layout(location = 20) uniform DisplayModel display;
 
 // Solid angle over which the eye spreads a point of light, sr: a disc of 2 arcmin.
@@ -82,14 +83,14 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
   }
 #endif
   // seen_color times (cones + rods), which only its luminance needs.
-  vec3 color = cones * extended.xyz + rod_light * night_hue;
+  vec3 color = cones * extended.xyz + rod_light * rod_hue;
   vec3 tone = curve_at(max(color.y, 0.0) / (cones + rods));
   color *= tone.x * (1.0 / max(color.y, 1.0e-30));
   float more = 0.0;
   if (point.y > 0.0) {
     float pixel_sr = 1.0 / max(pixels_per_steradian(at, picture), 1.0e-6);
     // A pixel in the middle of a star holds a fourth of its light.
-    vec3 seen_point = seen_color(point, cone_share(point * (4.0 / point_image_sr * pixel_sr)));
+    vec3 seen_point = seen_color(point, cone_share(point * (4.0 / point_image_sr * pixel_sr)), rod_hue);
     more = tone.y * point.y;
     if (points_as_seen != 0) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;

@@ -14,6 +14,7 @@
 #include "vesper/gpu/renderer.hpp"
 #include "vesper/plan/display_files.hpp"
 #include "vesper/plan/frame_plan.hpp"
+#include "vesper/sky/scene_white.hpp"
 #include "vesper/sky/sky_state.hpp"
 
 #include <chrono>
@@ -47,6 +48,7 @@ struct RenderOptions {
   std::optional<double> exposure_value;
   std::string metering = "whole";
   std::optional<std::string> night_vision;
+  std::optional<std::string> white_adaptation;
   std::optional<std::string> glare;
   std::optional<std::string> acuity;
   std::string noise = "off";
@@ -129,7 +131,7 @@ DiscOptions disc_options(const RenderOptions& options) {
 }
 
 gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind kind,
-                                      const DisplayOptions& display_options) {
+                                      const DisplayOptions& display_options, const SkyState& sky) {
   gpu::DisplaySettings settings;
   settings.display = display_options.display;
   const bool deep = kind == OutputKind::display_exr || display_options.bits == 16;
@@ -145,6 +147,9 @@ gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind k
   settings.optics.age_years = options.age;
   settings.noise = options.noise == "on";
   settings.night_vision = options.night_vision ? *options.night_vision == "on" : eye;
+  if (options.white_adaptation ? *options.white_adaptation == "on" : eye) {
+    settings.light = adapting_light(sky);
+  }
   return settings;
 }
 
@@ -212,7 +217,7 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  const gpu::DisplaySettings display = display_settings(options, kind, display_options);
+  const gpu::DisplaySettings display = display_settings(options, kind, display_options, sky);
   gpu::DisplayChain chain(shaders, display);
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;
@@ -286,6 +291,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->check(CLI::IsMember({"whole", "foveal"}));
   app.add_option("--night-vision", options.night_vision,
                  "colours fade where it is dark, as rods see: on, off; on but for --operator photographic")
+      ->check(on_off);
+  app.add_option("--white-adaptation", options.white_adaptation,
+                 "the light of Sun or Moon looks white, as to an eye that is adapted to it: on, off; on but for "
+                 "--operator photographic")
       ->check(on_off);
   app.add_option("--glare", options.glare,
                  "light that the eye scatters: on, off; on but for --operator photographic and cube maps")

@@ -64,7 +64,10 @@ DisplayChain::DisplayChain(const ShaderLibrary& library, const DisplaySettings& 
 
 void DisplayChain::use(const DisplaySettings& settings) {
   require_settings(settings);
-  display_ = display_model(settings.display);
+  const f64::DisplayModel display = display_model(settings.display);
+  const Vec3 white = glm::inverse(display.rgb_from_xyz) * Vec3(1.0);
+  color_adaptation_ = settings.light ? adapted_to_light(*settings.light, white) : ColorAdaptation{};
+  display_ = display;
   settings_ = settings;
 }
 
@@ -129,8 +132,10 @@ void DisplayChain::find_curve() {
     if (settings_.noise) {
       glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
     }
-    const f32::mat3 signal_from_xyz(display_.rgb_from_xyz / display_.range_cd_m2);
+    const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz / display_.range_cd_m2);
     glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
+    const f32::vec3 rod_hue(color_adaptation_.rod_hue);
+    glProgramUniform3fv(program, 9, 1, &rod_hue[0]);
     set_display(handle, display_location, display_);
   }
   looked_ = false;

@@ -7,6 +7,7 @@
 #include "vesper/gpu/light_meter.hpp"
 #include "vesper/gpu/program.hpp"
 #include "vesper/gpu/shader_library.hpp"
+#include "vesper/plan/chromatic_adaptation.hpp"
 #include "vesper/plan/display.hpp"
 #include "vesper/plan/tone_curve.hpp"
 
@@ -22,6 +23,9 @@ struct DisplaySettings {
   Metering metering = Metering::whole_field;
   /// What the eye is adapted to; what each picture adapts it to where there is none.
   std::optional<AdaptationState> adaptation;
+  /// What the scene is seen by, lux, X, Y, Z (adapting_light() in vesper/sky/scene_white.hpp): the eye is adapted to
+  /// its colour. Without it colours are shown as they measure.
+  std::optional<Vec3> light;
   EyeOpticsSettings optics; ///< glare and acuity; its magnification is found from view and display
   bool night_vision = true; ///< colours fade as rods take over; off: as by day, or for a camera
   bool noise = false;       ///< the grain that is seen in the dark, at an instant
@@ -55,6 +59,7 @@ private:
   const ShaderLibrary& library_;
   DisplaySettings settings_;
   f64::DisplayModel display_{};
+  ColorAdaptation color_adaptation_;
   ProgramVariants programs_;
   LightMeter meter_;
   std::unique_ptr<EyeOptics> optics_;              ///< once it is asked for

@@ -17,17 +17,17 @@ namespace {
 
 Angle angular_radius(Length radius, Length distance) { return std::asin(radius / distance) * rad; }
 
-/// Whether a light could give the zenith 1e-4 of the darkest night's 1.7e-4 cd/m2. Below the horizon its lux above the
-/// air times 10^(-2.5 - 0.45 d), d degrees deep, is what it gives in cd/m2, within a factor of 3 from 0 to 18 degrees
-/// (fitted to the reference transport in clear air).
+/// Whether a light could give the zenith 1e-4 of the darkest night's 1.7e-4 cd/m2.
 bool lights_the_air(const SkyLight& light, Length height) {
   constexpr Length ground = 6371.0 * kilometre; // the dip is needed within a degree
   const Angle dip = std::acos(ground / (ground + height)) * rad;
-  const double depth_deg = std::max(0.0, -(latitude_of(light.direction) + dip).to(deg));
-  return integrate_xyzs(light.irradiance).y * std::pow(10.0, -2.5 - 0.45 * depth_deg) > 1.7e-8;
+  const Angle depth = std::max(-(latitude_of(light.direction) + dip), 0.0 * deg);
+  return integrate_xyzs(light.irradiance).y * zenith_in_twilight(depth) > 1.7e-8;
 }
 
 } // namespace
+
+double zenith_in_twilight(Angle depth) { return std::pow(10.0, -2.5 - 0.45 * depth.to(deg)); }
 
 SkyLight sun_light(const Vec3& direction, Length distance) {
   return {"sun", direction, angular_radius(sun_radius, distance),

@@ -27,6 +27,10 @@ struct SkyLight {
 /// moonlight_of() in moon_illumination.hpp is the same of the Moon.
 [[nodiscard]] Spectrum sunlight_of(const SkyState& sky);
 
+/// Luminance that a light gives the zenith in twilight, cd/m2 over its lux above the air: within a factor of 3 from 0
+/// to 18 degrees (fitted to the reference transport in clear air). \param depth below the horizon, 0 or more
+[[nodiscard]] double zenith_in_twilight(Angle depth);
+
 /// Sun and Moon of a scene at their airless places: straight rays from there bring a level surface as much as bent ones
 /// do, because what falls on the air above it is the same. Left out is what stands so deep that it gives the zenith
 /// less than 1e-4 of the darkest night: the Sun some 23 degrees below the observer's horizon, the full Moon 11.

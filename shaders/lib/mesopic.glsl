@@ -56,11 +56,12 @@ FN Real seen_light(Real photopic, Real scotopic, Real cone_share) {
 // The colour that light shows to an eye: CIE XYZ whose Y is its mesopic luminance. What the cones see keeps its colour,
 // what the rods see is bluish grey, in the proportion of MES2: by day nothing changes, in the dark colour is lost and
 // blues outshine reds (Purkinje).
-// xyzs: X, Y, Z and scotopic luminance S, cd/m2; cone_share: mesopic_cone_share.
-FN vec3 seen_color(vec4 xyzs, Real cone_share) {
+// xyzs: X, Y, Z and scotopic luminance S, cd/m2; cone_share: mesopic_cone_share; rod_hue: X, Y, Z of what rods see, Y = 1.
+FN vec3 seen_color(vec4 xyzs, Real cone_share, vec3 rod_hue) {
   Real rods = (Real(1.0) - cone_share) * rods_at_555_nm;
-  return (cone_share * vec3(xyzs) + rods * xyzs.w * night_hue) / (cone_share + rods);
+  return (cone_share * vec3(xyzs) + rods * xyzs.w * rod_hue) / (cone_share + rods);
 }
+FN vec3 seen_color(vec4 xyzs, Real cone_share) { return seen_color(xyzs, cone_share, night_hue); }
 
 // The cheap tier: Thompson, Shirley and Ferwerda 2002 as the thesis gives it (its equations 5.6 to 5.8).
 

@@ -66,6 +66,27 @@ TEST_F(RenderCli, WritesDeepPicturesAndTheirDisplay) {
   EXPECT_GT(*std::max_element(display.values.begin(), display.values.end()), 0.0F);
 }
 
+TEST_F(RenderCli, MoonlightIsWhiteToTheEyeAndNotToACamera) {
+  const auto red_over_blue = [&](const std::string& options) {
+    const CommandResult result =
+        run("--time 2026-08-28T01:30:00Z --latitude 28.76 --longitude -17.88 --layers moon --projection perspective "
+            "--azimuth 188.9 --altitude 50.3 --fov 0.4 --size 16x16 --glare off --exr display " +
+            options + " -o " + path("moon.exr"));
+    EXPECT_EQ(result.status, 0) << result.err;
+    const std::vector<float> values = read_image(path("moon.exr")).values;
+    double red = 0.0;
+    double blue = 0.0;
+    for (std::size_t i = 0; i < values.size(); i += 3) {
+      red += static_cast<double>(values[i]);
+      blue += static_cast<double>(values[i + 2]);
+    }
+    return red / blue;
+  };
+  EXPECT_LT(red_over_blue(""), 1.5);
+  EXPECT_GT(red_over_blue("--white-adaptation off"), 1.8);
+  EXPECT_GT(red_over_blue("--operator photographic"), 1.8);
+}
+
 TEST_F(RenderCli, ACubeMapTakesAFaceOrAStack) {
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x32 -o " + path("face.exr")).status, 0);
   ASSERT_EQ(run(std::string(scene) + "--projection cubemap --size 32x192 -o " + path("stack.exr")).status, 0);
