@@ -130,6 +130,10 @@ TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   expect_failure(2, "--refraction maybe" + to, {"--refraction", "maybe"});
   expect_failure(2, "--pressure 2000" + to, {"--pressure", "2000", "1100"});
   expect_failure(2, "--exposure-time -1" + to, {"--exposure-time", "-1"});
+  for (const char* option : {"exposure", "exposure-time", "age", "moon-scale", "sun-scale"}) {
+    expect_failure(2, std::string("--") + option + " nan" + to, {option, "'nan' is not allowed; allowed: ", " to "});
+  }
+  expect_failure(2, "--ev 3" + to, {"--ev: '3'", "only with --operator photographic"});
   expect_failure(2, "--bits 12" + to, {"--bits", "12", "8, 16"});
   expect_failure(2, "--display-peak 0" + to, {"--display-peak", "0.001 to 10000"});
   expect_failure(2, "--exr light" + to, {"--exr", "light"});
