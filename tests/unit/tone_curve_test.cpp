@@ -271,6 +271,17 @@ TEST(Metering, CellsDependOnFieldAndShapeAlone) {
   }
 }
 
+TEST(Metering, APictureThatIsALineHasCellsToo) {
+  View line;
+  for (const auto& [width, height] : {std::pair(1, 500), std::pair(16384, 1), std::pair(2, 16384)}) {
+    line.width = width;
+    line.height = height;
+    const MeteringGrid grid = metering_grid(line);
+    EXPECT_GE(std::min(grid.columns, grid.rows), 1);
+    EXPECT_LE(std::max(grid.columns, grid.rows), 4096);
+  }
+}
+
 TEST(Metering, ACellCountsOnceHoweverItLies) {
   for (double octave = -30.0; octave < 40.0; octave += 0.037) {
     LightHistogram::Bins bins{};

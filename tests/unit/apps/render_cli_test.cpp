@@ -44,6 +44,13 @@ TEST_F(RenderCli, WritesAPictureForTheEye) {
   EXPECT_GT(*std::max_element(image.values.begin(), image.values.end()), 0.9F);
 }
 
+TEST_F(RenderCli, WritesPicturesOfOneLine) {
+  for (const char* size : {"1x1", "1x500", "2000x1"}) {
+    const CommandResult result = run(std::string(scene) + "--layers stars --size " + size + " -o " + path("line.png"));
+    EXPECT_EQ(result.status, 0) << size << result.err;
+  }
+}
+
 TEST_F(RenderCli, WritesDeepPicturesAndTheirDisplay) {
   const std::string small = std::string(scene) + "--size 64x64 --fov 40 --azimuth 150 --altitude 40 ";
   const auto deep_share = [&](const std::string& name) {
