@@ -137,9 +137,6 @@ gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind k
   settings.tone.tone = *tone_operator_from_name(options.tone);
   settings.tone.stops = options.exposure_stops;
   settings.tone.exposure_value = options.exposure_value;
-  if (options.exposure_value && settings.tone.tone != ToneOperator::photographic) {
-    refuse_option("--ev", fmt::format("{}", *options.exposure_value), "only with --operator photographic");
-  }
   settings.metering = options.metering == "foveal" ? Metering::foveal : Metering::whole_field;
   // A camera has no eye's faults.
   const bool eye = settings.tone.tone != ToneOperator::photographic;
@@ -178,7 +175,9 @@ void write_picture(const gpu::Frame& frame, OutputKind kind, const std::string& 
 
 void render(const SceneOptions& scene, const RenderOptions& options, const DisplayOptions& display_options) {
   const OutputKind kind = output_kind(options);
-  const gpu::DisplaySettings display = display_settings(options, kind, display_options);
+  if (options.exposure_value && options.tone != "photographic") {
+    refuse_option("--ev", fmt::format("{}", *options.exposure_value), "only with --operator photographic");
+  }
   require_writable(options.output);
   std::optional<StarCatalogue> own;
   if (!options.catalogue.empty()) {
@@ -216,6 +215,7 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
+  const gpu::DisplaySettings display = display_settings(options, kind, display_options);
   gpu::DisplayChain chain(shaders, display);
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;
