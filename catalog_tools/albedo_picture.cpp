@@ -72,7 +72,7 @@ GlobeGrid read_albedo_picture(const std::filesystem::path& path, const AlbedoPic
                 {path.string(), "", "Give an equirectangular map of the whole Moon"});
   }
   const PixelReader reader(image, options.encoding);
-  GlobeGrid grid{image.width, image.height, options.centre_longitude.to(deg) - 180.0, {}};
+  GlobeGrid grid{image.width, image.height, options.centre_longitude.to(deg) - 180.0, {}, path.string()};
   const std::size_t channels = image.channels.size();
   grid.values.reserve(image.values.size() / channels);
   for (std::size_t i = 0; i < image.values.size(); i += channels) {

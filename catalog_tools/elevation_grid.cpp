@@ -187,9 +187,12 @@ public:
       fail(fault + (swapped ? "; with their bytes swapped they would be" : ""),
            swapped ? fmt::format("Set SAMPLE_TYPE in {} to {}", label_.file(),
                                  layout_.kind.big_endian ? "LSB_INTEGER" : "MSB_INTEGER")
-                   : "Fetch image and label again");
+                   : fmt::format("Fetch image and label again, or have MISSING_CONSTANT in the object IMAGE of {} name "
+                                 "the value of missing samples",
+                                 label_.file()),
+           place_of_first_outside());
     }
-    GlobeGrid grid{layout_.samples, layout_.lines, layout_.west_edge_deg, {}};
+    GlobeGrid grid{layout_.samples, layout_.lines, layout_.west_edge_deg, {}, file_.string()};
     grid.values.reserve(count());
     for (std::size_t i = 0; i < count(); ++i) {
       const double value = raw(i, layout_.kind.big_endian);
@@ -200,8 +203,8 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& message, const std::string& remedy) const {
-    throw Error(ErrorKind::input, message, {file_.string(), "", remedy});
+  [[noreturn]] void fail(const std::string& message, const std::string& remedy, const std::string& place = "") const {
+    throw Error(ErrorKind::input, message, {file_.string(), place, remedy});
   }
 
   [[nodiscard]] std::size_t count() const {
@@ -254,16 +257,30 @@ private:
     return found;
   }
 
+  [[nodiscard]] bool is_moons(double value) const {
+    return height_m(value) >= lowest_moon_elevation_m && height_m(value) <= highest_moon_elevation_m;
+  }
+
+  /// Of the first sample that is no height of the Moon; "" where all are.
+  [[nodiscard]] std::string place_of_first_outside() const {
+    for (std::size_t i = 0; i < count(); ++i) {
+      if (const double value = raw(i, layout_.kind.big_endian); !is_missing(value) && !is_moons(value)) {
+        const auto across = static_cast<std::size_t>(layout_.samples);
+        return fmt::format("line {}, sample {}", i / across + 1, i % across + 1);
+      }
+    }
+    return "";
+  }
+
   /// What is wrong with the samples between these, or "".
   [[nodiscard]] std::string fault_of(const Extremes& found) const {
     if (found.least > found.most) {
       return "every sample is missing";
     }
-    const double lowest = height_m(found.least);
-    const double highest = height_m(found.most);
-    if (!(lowest >= lowest_moon_elevation_m && highest <= highest_moon_elevation_m)) {
+    if (!is_moons(found.least) || !is_moons(found.most)) {
       return fmt::format("heights run from {:.1f} to {:.1f} m; allowed are those of the Moon, {:.0f} to {:.0f} m",
-                         lowest, highest, lowest_moon_elevation_m, highest_moon_elevation_m);
+                         height_m(found.least), height_m(found.most), lowest_moon_elevation_m,
+                         highest_moon_elevation_m);
     }
     for (const auto& [key, value] : {std::pair{"MINIMUM", found.least}, std::pair{"MAXIMUM", found.most}}) {
       const auto* stated = label_.find("IMAGE", key);

@@ -4,6 +4,7 @@
 #include "vesper/base/vector.hpp"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace vesper {
@@ -16,6 +17,7 @@ struct GlobeGrid {
   /// Longitude of the left edge, degrees, positive east.
   double west_edge_deg = 0;
   std::vector<float> values; ///< row by row; NaN where missing
+  std::string file{};        ///< that it was read from, for messages
 };
 
 struct FillReport {

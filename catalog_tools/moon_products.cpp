@@ -77,7 +77,7 @@ FillReport fill(GlobeGrid& grid, const char* what) {
     throw Error(ErrorKind::input,
                 fmt::format("{:.1f} % of the {} is missing; allowed are {:.0f} %", 100.0 * report.area_share, what,
                             100.0 * most_missing),
-                {"", "", "Choose a map of the whole Moon"});
+                {grid.file, "", "Choose a map of the whole Moon"});
   }
   return report;
 }
@@ -139,7 +139,7 @@ MoonProduct make_moon_product(GlobeGrid albedo, GlobeGrid elevation_m, const Moo
     throw Error(ErrorKind::input,
                 fmt::format("the brightest texel has an albedo of {:.2f} when the disc has {}; allowed is 1",
                             report.most_albedo, lunar_geometric_albedo),
-                {"", "", "Check the albedo map and its encoding"});
+                {albedo.file, "", "Check the albedo map and its encoding"});
   }
   for (std::size_t i = 0; i < albedos.size(); ++i) {
     map.texels[4 * i] = rounded(report.albedo_scale * albedos[i]);

@@ -1,4 +1,5 @@
 #include "catalog/commands.hpp"
+#include "catalog/product_path.hpp"
 #include "common/option_text.hpp"
 #include "common/program.hpp"
 #include "common/progress_bar.hpp"
@@ -11,6 +12,7 @@
 #include "vesper/catalog_tools/elevation_grid.hpp"
 #include "vesper/catalog_tools/moon_products.hpp"
 
+#include <array>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -107,29 +109,13 @@ std::string report_text(const MoonProductReport& r, const MoonMap& map) {
                      map.face_size, r.mean_slope.to(deg));
 }
 
-void require_output(const MoonOptions& options, const std::string& label) {
-  if (options.output.empty()) {
-    if (!options.dry_run) {
-      throw Error(ErrorKind::argument, "--output is missing",
-                  {"", "", "Give -o OUT.exr, or --dry-run for the report alone"});
-    }
-    return;
-  }
-  for (const std::string& input : {options.albedo, options.elevation, label}) {
-    std::error_code ignored;
-    if (std::filesystem::equivalent(input, options.output, ignored)) {
-      throw Error(ErrorKind::argument, "--output names the input itself", {options.output, "", "Choose another path"});
-    }
-  }
-  require_writable(options.output);
-}
-
 void run_moon(const MoonOptions& options) {
   const double longitude_deg = parse_longitude(options.longitude_origin);
   const AlbedoEncoding encoding = parse_encoding(options.encoding);
   const int face_size = parse_face(options.face);
   const std::string label_file = options.label.empty() ? find_pds_label(options.elevation).string() : options.label;
-  require_output(options, label_file);
+  require_product_path(options.output, ".exr", options.dry_run,
+                       std::array{options.albedo, options.elevation, label_file});
 
   const Bytes label = read_file(label_file);
   const Bytes content = read_file(options.elevation);

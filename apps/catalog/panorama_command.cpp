@@ -1,6 +1,7 @@
 // panorama: a picture of the sky becomes a cube map in cd/m2.
 
 #include "catalog/commands.hpp"
+#include "catalog/product_path.hpp"
 #include "common/option_text.hpp"
 #include "common/program.hpp"
 #include "common/progress_bar.hpp"
@@ -318,26 +319,9 @@ std::string content_options(const PanoramaCommand& c, const PanoramaOptions& opt
   return text;
 }
 
-void require_paths(const PanoramaCommand& command) {
-  if (command.output.empty()) {
-    if (!command.dry_run) {
-      throw Error(ErrorKind::argument, "--output is missing",
-                  {"", "", "Give -o OUT.exr, or --dry-run for the report alone"});
-    }
-    return;
-  }
-  for (const std::string& input : command.inputs) {
-    std::error_code ignored;
-    if (fs::equivalent(input, command.output, ignored)) {
-      throw Error(ErrorKind::argument, "--output names the input itself", {command.output, "", "Choose another path"});
-    }
-  }
-  require_writable(command.output);
-}
-
 void run_panorama(const PanoramaCommand& command) {
   const InterruptWatch watch;
-  require_paths(command);
+  require_product_path(command.output, ".exr", command.dry_run, command.inputs);
   if (command.frame.empty() && (command.origin || command.mirrored)) {
     throw Error(ErrorKind::argument, "--origin and --mirrored belong to --frame", {"", "", "Give --frame too"});
   }
@@ -417,10 +401,10 @@ std::function<void()> add_panorama_command(CLI::App& app) {
   panorama->add_option("-o,--output", c.output, "The map to write")->type_name("OUT.exr");
   panorama->add_option("--face", c.face, "Texels along a side of the cube's faces (1024)")
       ->type_name("N")
-      ->check(CLI::Range(least_sky_face, most_sky_face));
+      ->check(numbers_within(least_sky_face, most_sky_face));
   panorama->add_option("--hdu", c.hdu, "Which HDU of a FITS file, counted from 1 (the first that holds a picture)")
       ->type_name("N")
-      ->check(CLI::Range(1, 10000));
+      ->check(numbers_within(1, 10000));
   panorama->add_option("--planes", c.planes, "Which planes of the third axis, counted from 1, one or three (all)")
       ->delimiter(',')
       ->type_name("N,N,N");
@@ -428,7 +412,7 @@ std::function<void()> add_panorama_command(CLI::App& app) {
       ->check(CLI::IsMember({"galactic", "icrs", "fk5", "ecliptic"}));
   panorama->add_option("--origin", c.origin, "Longitude in the middle of such a picture, degrees (0)")
       ->type_name("DEG")
-      ->check(CLI::Range(-360.0, 360.0));
+      ->check(numbers_within(-360.0, 360.0));
   panorama->add_flag("--mirrored", c.mirrored, "Longitude grows to the right in it, not to the left");
   panorama->add_option("--transform", c.transform, "From channels to X, Y, Z: srgb, mono, or nine numbers, X first")
       ->type_name("NAME");
@@ -438,16 +422,16 @@ std::function<void()> add_panorama_command(CLI::App& app) {
       ->check(CLI::IsMember({"stars", "anchors"}));
   panorama->add_option("--zero-point", c.zero_point, "V mag/arcsec2 of a picture whose Y is 1")
       ->type_name("MAG")
-      ->check(CLI::Range(-30.0, 60.0));
+      ->check(numbers_within(-30.0, 60.0));
   panorama->add_option("--stars", c.stars, "Star buffer for the fit (the one built in)")->type_name("STARS.glb");
   panorama->add_option("--remove-stars", c.remove_stars, "Take out the light of these stars, which are drawn as stars")
       ->type_name("STARS.glb");
   panorama->add_option("--epoch", c.epoch, "Julian year of the picture (its date, or 2000)")
       ->type_name("YEAR")
-      ->check(CLI::Range(1000.0, 3000.0));
+      ->check(numbers_within(1000.0, 3000.0));
   panorama->add_option("--star-radius", c.star_radius, "Pixels around a star that hold its light (3)")
       ->type_name("PX")
-      ->check(CLI::Range(1.0, 4.0));
+      ->check(numbers_within(1.0, 4.0));
   panorama->add_option("--saturation", c.saturation, "Values from here on are cut off (SATURATE)")->type_name("VALUE");
   panorama->add_option("--missing", c.missing, "Pixels of this value in all channels are missing")->type_name("VALUE");
   panorama->add_option("--credit", c.credit, "Whose picture it is, for the map's provenance")->type_name("TEXT");

@@ -1,4 +1,5 @@
 #include "catalog/commands.hpp"
+#include "catalog/product_path.hpp"
 #include "common/program.hpp"
 
 #include "vesper/assets/star_glb.hpp"
@@ -8,6 +9,7 @@
 #include "vesper/catalog_tools/bright_star_catalogue.hpp"
 #include "vesper/catalog_tools/star_products.hpp"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -110,22 +112,8 @@ std::string report_text(const StarProductReport& r, const StarProvenance& p) {
                             r.illuminance_before_lux, r.illuminance_after_lux, relative_change(r));
 }
 
-void require_other_file(const std::string& input, const std::string& output) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(input, output, ignored)) {
-    throw Error(ErrorKind::argument, "--output names the input itself", {output, "", "Choose another path"});
-  }
-}
-
 void run_stars(const StarsOptions& options) {
-  if (options.output.empty() && !options.dry_run) {
-    throw Error(ErrorKind::argument, "--output is missing",
-                {"", "", "Give -o OUT.glb, or --dry-run for the report alone"});
-  }
-  if (!options.output.empty()) {
-    require_other_file(options.input, options.output);
-    require_writable(options.output);
-  }
+  require_product_path(options.output, ".glb", options.dry_run, std::array{options.input});
   StarProductOptions product_options;
   std::string content_options;
   if (!options.limit_magnitude.empty()) {

@@ -1,8 +1,8 @@
 #include "common/scene_options.hpp"
 
 #include "common/scene_option_table.hpp"
+#include "common/sky_tables_cache.hpp"
 
-#include "vesper/atmosphere/earth_shadow_light.hpp"
 #include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/base/error.hpp"
 
@@ -24,14 +24,14 @@ constexpr double greenwich_height_m = 47.0;
 // projections, 180 degrees, is beyond what a perspective can show.
 constexpr double perspective_fov_deg = 60.0;
 
-/// Of the scene's medium, made once for it: half a second.
+/// Of the scene's medium, found once for it.
 std::shared_ptr<const EarthShadowLight> shadow_light_of(const SceneOptions& scene) {
   static std::mutex mutex;
   static std::shared_ptr<const Medium> medium;
   static std::shared_ptr<const EarthShadowLight> light;
   const std::scoped_lock lock(mutex);
   if (medium != scene.medium) {
-    light = std::make_shared<const EarthShadowLight>(make_earth_shadow_light(*scene.medium));
+    light = std::make_shared<const EarthShadowLight>(cached_earth_shadow_light(*scene.medium, user_cache_folder()));
     medium = scene.medium;
   }
   return light;

@@ -2,6 +2,7 @@
 
 #include "common/progress_bar.hpp"
 
+#include "vesper/atmosphere/earth_shadow_file.hpp"
 #include "vesper/atmosphere/sky_tables_file.hpp"
 #include "vesper/atmosphere/small_sky_tables.hpp"
 #include "vesper/base/error.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_files = 20; // about 12 MiB each
+constexpr std::size_t most_files = 20; // about 12 MiB each, 0.2 the light in the Earth's shadow
 
 /// Holds a folder for one process at a time, as far as the system lets it: without the lock, work may be done twice.
 class FolderLock {
@@ -90,12 +91,12 @@ void remove_oldest(const fs::path& folder) {
   }
 }
 
-void keep(const fs::path& path, const SkyTables& tables, std::string_view fingerprint) {
+void keep(const fs::path& path, const std::function<void()>& write, std::string_view what) {
   try {
-    write_sky_tables(path, tables, fingerprint);
+    write();
     remove_oldest(path.parent_path());
   } catch (const std::exception& e) { // also of the folder, where another program may be at work
-    spdlog::warn("the tables of the sky are not kept for the next time: {}", e.what());
+    spdlog::warn("{} not kept for the next time: {}", what, e.what());
   }
 }
 
@@ -155,8 +156,33 @@ std::shared_ptr<const SkyTables> cached_sky_tables(const std::string& fingerprin
     return share(*std::move(cached));
   }
   SkyTables tables = make();
-  keep(path, tables, fingerprint);
+  keep(
+      path, [&] { write_sky_tables(path, tables, fingerprint); }, "the tables of the sky are");
   return share(std::move(tables));
+}
+
+EarthShadowLight cached_earth_shadow_light(const Medium& medium, const fs::path& folder) {
+  if (folder.empty()) {
+    return make_earth_shadow_light(medium);
+  }
+  const fs::path path = folder / ("sky-shadow-" + earth_shadow_fingerprint(medium).substr(0, 32));
+  std::error_code not_there;
+  if (fs::exists(path, not_there)) {
+    try {
+      EarthShadowLight light = read_earth_shadow_light(path);
+      std::error_code read_only;
+      fs::last_write_time(path, fs::file_time_type::clock::now(), read_only); // it is in use
+      return light;
+    } catch (const Error& e) {
+      spdlog::warn("the light in the Earth's shadow is made anew: {}", e.what());
+    }
+  }
+  EarthShadowLight light = make_earth_shadow_light(medium);
+  std::error_code cannot; // writing the file will tell
+  fs::create_directories(folder, cannot);
+  keep(
+      path, [&] { write_earth_shadow_light(path, light); }, "the light in the Earth's shadow is");
+  return light;
 }
 
 } // namespace vesper

@@ -1,8 +1,10 @@
-// The tables of a scene's sky: from the user's cache, from those that came with the programs, or made now.
+// The tables of a scene's sky and the light in the Earth's shadow: from the user's cache, from those that came with the
+// programs, or made now.
 #pragma once
 
 #include "common/scene_options.hpp"
 
+#include "vesper/atmosphere/earth_shadow_light.hpp"
 #include "vesper/atmosphere/sky_tables.hpp"
 
 #include <filesystem>
@@ -26,5 +28,10 @@ namespace vesper {
 [[nodiscard]] std::shared_ptr<const SkyTables> cached_sky_tables(const std::string& fingerprint,
                                                                  const std::function<SkyTables()>& make,
                                                                  const std::filesystem::path& folder);
+
+/// The light in the Earth's shadow through a medium: from the folder or else made, in half a second, and left there
+/// among the files above. A broken file is replaced, with a warning; where the folder cannot be written to (warned of)
+/// or is empty (the path), only the keeping falls away.
+[[nodiscard]] EarthShadowLight cached_earth_shadow_light(const Medium& medium, const std::filesystem::path& folder);
 
 } // namespace vesper

@@ -180,6 +180,9 @@ void write_picture(const gpu::Frame& frame, OutputKind kind, const std::string& 
 
 void render(const SceneOptions& scene, const RenderOptions& options, const DisplayOptions& display_options) {
   const OutputKind kind = output_kind(options);
+  if (options.exposure_value && options.tone != "photographic") {
+    refuse_option("--ev", fmt::format("{}", *options.exposure_value), "only with --operator photographic");
+  }
   require_writable(options.output);
   std::optional<StarCatalogue> own;
   if (!options.catalogue.empty()) {
@@ -262,7 +265,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->check(CLI::IsMember({"scene", "display"}));
   app.add_option("--catalogue", options.catalogue, "star buffer (.glb) in place of the embedded Bright Star Catalogue");
   app.add_option("--moon-map", options.moon_map, "map of the Moon (.exr) in place of the embedded one");
-  const CLI::Range disc_scale(1.0, largest_disc_scale);
+  const CLI::Validator disc_scale = numbers_within(1.0, largest_disc_scale);
   app.add_option("--moon-scale", options.moon_scale,
                  "factor of the Moon's diameter, 1 to 100, with the same light as a whole; default 1")
       ->check(disc_scale);
@@ -273,7 +276,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
   app.add_option("--scintillation", options.scintillation, "twinkling of the stars: on, off")->check(on_off);
   app.add_option("--exposure-time", options.exposure_time_s,
                  "seconds that scintillation is averaged over (default 0.1, the eye's)")
-      ->check(CLI::Range(0.0, 1.0e6));
+      ->check(numbers_within(0.0, 1.0e6));
   app.add_option("--extinction", options.extinction, "dimming of the stars by the air: on, off")->check(on_off);
   app.add_option("--refraction", options.refraction, "bending of light by the air: on, off")->check(on_off);
   app.add_option(
@@ -282,10 +285,10 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
          "reinhard, hable, photographic (linear, as a camera), false-color (luminance by colours, with a legend)")
       ->check(CLI::IsMember(tone_operators()));
   app.add_option("--exposure", options.exposure_stops, "stops over the exposure that the operator finds, -30 to 30")
-      ->check(CLI::Range(-30.0, 30.0));
+      ->check(numbers_within(-30.0, 30.0));
   app.add_option("--ev", options.exposure_value,
                  "exposure value at ISO 100 of --operator photographic, -30 to 30; as a meter tells by default")
-      ->check(CLI::Range(-30.0, 30.0));
+      ->check(numbers_within(-30.0, 30.0));
   app.add_option("--metering", options.metering,
                  "what the eye is adapted to: whole (default), the field; foveal, its middle")
       ->check(CLI::IsMember({"whole", "foveal"}));
@@ -304,7 +307,7 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape)
       ->check(on_off);
   app.add_option("--noise", options.noise, "grain that is seen in the dark: on, off (default)")->check(on_off);
   app.add_option("--age", options.age, "years of the eye that scatters, 0 to 100; default 30")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(numbers_within(0.0, 100.0));
   app.add_option("--shader-dir", options.shader_dir, "folder whose shader files override the embedded ones")
       ->check(CLI::ExistingDirectory);
   app.add_flag("--timings", options.timings, "print the wall-clock time of each pass");

@@ -14,6 +14,10 @@
 
 namespace vesper {
 
+/// A digest, as 64 hexadecimal digits, of all that make_earth_shadow_light depends on, as sky_tables_fingerprint has
+/// it. Throws Error(argument) for impossible radii.
+[[nodiscard]] std::string earth_shadow_fingerprint(const Medium& medium);
+
 [[nodiscard]] Bytes encode_earth_shadow_light(const EarthShadowLight& light);
 /// Throws Error(input) for bytes that are no such file, of another version, cut off or too long, and for numbers that
 /// no such map has.

@@ -22,8 +22,9 @@ struct EarthShadowLoad {
 /// Dust: 0.08 is what El Chichon and Pinatubo left over the whole Earth for a year (Keen 1983, Science 222, 1011, found
 /// such depths from eclipses), 0.002 with the 0.005 of clear air the cleanest years. Clouds: half of all level paths
 /// are free above 6 to 8 km. Between these ends both were chosen so that eclipses have the magnitudes measured:
-/// of 11.75 mag on 28 September 2015 (L = 1.9), V = -1.7 on 3 March 2007 (2.5, the default) and -3.3 on 9 February 1990
-/// (4), and so that over all total eclipses the Moon falls by 10^4.2 for L = 4 and 10^5.7 for L = 0, in the mean.
+/// 11.75 mag darker on 28 September 2015 (L = 1.9), V = -1.7 on 3 March 2007 (2.5, the default: within 0.25 mag) and
+/// -3.3 on 9 February 1990 (4), and so that over all total eclipses the Moon falls by 10^4.2 for L = 4 and 10^5.7 for
+/// L = 0, in the mean.
 inline constexpr std::array<EarthShadowLoad, 5> earth_shadow_loads{
     {{0.08, 9.5}, {0.05, 8.5}, {0.028, 7.5}, {0.012, 6.0}, {0.002, 4.0}}};
 

@@ -1,3 +1,4 @@
+#include "vesper/atmosphere/earth_shadow_file.hpp"
 #include "vesper/atmosphere/sampled_air.hpp"
 #include "vesper/atmosphere/sky_tables_file.hpp"
 #include "vesper/base/sha256.hpp"
@@ -12,7 +13,9 @@
 
 namespace vesper {
 
-extern const std::string_view sky_solver_digest; // of its sources, made by the build
+// Of their sources, made by the build.
+extern const std::string_view sky_solver_digest;
+extern const std::string_view shadow_solver_digest;
 
 namespace {
 
@@ -59,6 +62,24 @@ void describe(const MediumComponent& component, const std::vector<double>& wavel
   }
 }
 
+/// All of it that light meets, under sunlight.
+void describe(const Medium& medium, Description& description) {
+  description.add(solar_irradiance_1au().wavelengths_nm());
+  description.add(solar_irradiance_1au().values());
+  const double ground_km = medium.ground_radius.to(kilometre);
+  const double top_km = medium.top_radius.to(kilometre);
+  description.add(ground_km);
+  description.add(top_km);
+  description.add(medium.wavelengths_nm);
+  const std::vector<double> wavelengths = wavelengths_of(medium);
+  for (const double nm : wavelengths) {
+    description.add(medium.ground_albedo(nm));
+  }
+  for (const MediumComponent& component : medium.components) {
+    describe(component, wavelengths, top_km - ground_km, description);
+  }
+}
+
 } // namespace
 
 std::string sky_tables_fingerprint(const Medium& medium, const SkyTableSize& size) {
@@ -77,20 +98,15 @@ std::string sky_tables_fingerprint(const Medium& medium, const SkyTableSize& siz
        {field.step_growth, field.least_step_km, field.rest, static_cast<double>(field.most_orders)}) {
     description.add(value);
   }
-  description.add(solar_irradiance_1au().wavelengths_nm());
-  description.add(solar_irradiance_1au().values());
-  const double ground_km = medium.ground_radius.to(kilometre);
-  const double top_km = medium.top_radius.to(kilometre);
-  description.add(ground_km);
-  description.add(top_km);
-  description.add(medium.wavelengths_nm);
-  const std::vector<double> wavelengths = wavelengths_of(medium);
-  for (const double nm : wavelengths) {
-    description.add(medium.ground_albedo(nm));
-  }
-  for (const MediumComponent& component : medium.components) {
-    describe(component, wavelengths, top_km - ground_km, description);
-  }
+  describe(medium, description);
+  return description.digest();
+}
+
+std::string earth_shadow_fingerprint(const Medium& medium) {
+  validate_radii(medium);
+  Description description;
+  description.add(shadow_solver_digest);
+  describe(medium, description);
   return description.digest();
 }
 

@@ -13,6 +13,8 @@ namespace {
 /// pictures have no pixel for each.
 constexpr double fewest_cells = 24.0;
 constexpr double most_cells = 120.0;
+/// And along the longer one, in pictures that are next to a line.
+constexpr double most_cells_along = 4096.0;
 /// Samples of a picture, about.
 constexpr double all_samples = 65536.0;
 constexpr int most_samples = 8;
@@ -52,11 +54,12 @@ Luminance field_luminance(const LightHistogram::Bins& bins) {
 } // namespace
 
 MeteringGrid metering_grid(const View& view) {
-  const double shorter = std::clamp(std::round(field_deg(view)), fewest_cells, most_cells);
   const double least_side = std::min(view.width, view.height);
+  const double most = most_cells_along * least_side / std::max(view.width, view.height);
+  const double shorter = std::min(std::clamp(std::round(field_deg(view)), fewest_cells, most_cells), most);
   MeteringGrid grid;
-  grid.columns = static_cast<int>(std::lround(shorter * view.width / least_side));
-  grid.rows = static_cast<int>(std::lround(shorter * view.height / least_side));
+  grid.columns = std::max(static_cast<int>(std::lround(shorter * view.width / least_side)), 1);
+  grid.rows = std::max(static_cast<int>(std::lround(shorter * view.height / least_side)), 1);
   const double cells = static_cast<double>(grid.columns) * grid.rows;
   grid.samples = std::clamp(static_cast<int>(std::lround(std::sqrt(all_samples / cells))), 2, most_samples);
   return grid;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace vesper {
 namespace {
@@ -180,6 +181,21 @@ private:
   double anchor_shown_ = 0.0;
 };
 
+/// What a camera's meter reads: the mean over the field of what the sensor holds when it is exposed by that reading, so
+/// that the Sun's disc counts as no more than white, and a Moon amid black sky by its own light.
+double metered_cd_m2(const LightHistogram::Bins& bins) {
+  double white = std::numeric_limits<double>::infinity();
+  double mean = 0.0;
+  for (int round = 0; round < 50; ++round) { // each nearer by the share of the field that is white, times 9.6
+    mean = 0.0;
+    for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+      mean += bins.at(bin) * std::min(f64::tone_bin_luminance(static_cast<double>(bin)), white);
+    }
+    white = f64::photographic_white_cd_m2(f64::metered_exposure_value(mean));
+  }
+  return mean;
+}
+
 /// log2 of the display's luminance at the nodes.
 std::vector<double> curve_of(const ToneSettings& settings, const LightHistogram& histogram,
                              const AdaptationState& state, double floor_cd_m2, double range_cd_m2) {
@@ -188,8 +204,10 @@ std::vector<double> curve_of(const ToneSettings& settings, const LightHistogram&
   }
   const double adaptation = in_dark(state.cones.to(candela_per_m2));
   const double key = f64::automatic_key(adaptation) * std::exp2(settings.stops) / adaptation;
-  const double exposure_value =
-      settings.exposure_value.value_or(f64::metered_exposure_value(adaptation)) - settings.stops;
+  // In a sequence the exposure follows as the eye does.
+  const double follows = adaptation / in_dark(adapted_to(histogram).cones.to(candela_per_m2));
+  const double metered = in_dark(metered_cd_m2(histogram.seen)) * follows;
+  const double exposure_value = settings.exposure_value.value_or(f64::metered_exposure_value(metered)) - settings.stops;
   std::vector<double> shown(f64::tone_nodes);
   for (std::size_t node = 0; node < shown.size(); ++node) {
     const double luminance = std::exp2(octave_of(node));

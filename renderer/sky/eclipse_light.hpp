@@ -29,7 +29,7 @@ namespace vesper {
 /// What an eclipse of the Moon looks like beside its geometry.
 struct EclipseAir {
   /// Danjon's L of the Earth's air, 0 (after great volcanic eruptions) to 4 (clear): earth_shadow_load.hpp. By default
-  /// that of years without volcanic dust, which gives the magnitude measured on 3 March 2007.
+  /// that of years without volcanic dust, which gives the magnitude measured on 3 March 2007 within 0.25.
   double danjon = 2.5;
   /// Of the air as a whole; nothing for that of clear_medium().
   std::shared_ptr<const EarthShadowLight> light;

@@ -92,6 +92,10 @@ TEST(ElevationGrid, RefusesWhatTheFileIsNot) {
          {"in/A.IMG", "heights run from", "with their bytes swapped they would be", "Set SAMPLE_TYPE in A.LBL to LSB"},
          samples);
   expect(with(label, "= 0.5", "= 50"), {"heights run from", "-9500 to 11000 m", "Fetch"}, samples);
+  // Missing ones that the label calls something else: the third of the second line.
+  std::string undeclared = samples;
+  undeclared.replace(std::size_t{2} * (72 + 2), 2, std::string("\x01\x80"));
+  expect(label, {"in/A.IMG: line 2, sample 3", "-16383.5", "MISSING_CONSTANT", "A.LBL"}, undeclared);
   expect(with(label, "    UNIT", "    MINIMUM = -3000\r\n    UNIT"),
          {"in/A.IMG", "the least of its samples is -3", "A.LBL says -3000"}, samples);
   // A label that is off by one is as it was published.

@@ -205,10 +205,12 @@ TEST(ToneCurves, NeitherSunNorMoonThrowsTheSky) {
   for (const auto& [sky, disc] : {std::pair(3.0e3, 1.6e9), std::pair(0.01, 3.0e3)}) {
     const LightHistogram without = field_of({{sky, 1.0}});
     const LightHistogram with = field_of({{sky, 1.0 - share}, {disc, share}});
-    const double change = shown(curve_for(with), sky) / shown(curve_for(without), sky) - 1.0;
-    std::printf("a disc of %g cd/m2 changes the sky of %g cd/m2 on the display by %.2f %%\n", disc, sky,
-                100.0 * change);
-    EXPECT_LT(std::abs(change), 0.02);
+    for (const ToneOperator tone : all_operators) {
+      const double change = shown(curve_for(with, tone), sky) / shown(curve_for(without, tone), sky) - 1.0;
+      std::printf("%s: a disc of %g cd/m2 changes the sky of %g cd/m2 on the display by %.2f %%\n",
+                  tone_operator_names()[static_cast<std::size_t>(tone)].data(), disc, sky, 100.0 * change);
+      EXPECT_LT(std::abs(change), 0.02);
+    }
   }
 }
 
@@ -217,6 +219,25 @@ TEST(ToneCurves, ShowTheMoonsSurfaceWhereItFillsThePicture) {
   const ToneCurve curve = curve_for(field);
   EXPECT_GT(shown(curve, 5000.0) / shown(curve, 1000.0), 1.5);
   EXPECT_GT(shown(curve, 5000.0), 0.5 * Display{}.peak.to(candela_per_m2));
+  // As a camera has it: nothing is white.
+  const ToneCurve camera = curve_for(field, ToneOperator::photographic);
+  EXPECT_NEAR(shown(camera, 5000.0) / shown(camera, 1000.0), 5.0, 0.05);
+  EXPECT_GT(shown(camera, 5000.0), 0.2 * Display{}.peak.to(candela_per_m2));
+}
+
+TEST(ToneCurves, ACamerasMeterReadsWhatItsSensorHolds) {
+  // Even light comes out as ISO 2720 and 12232 have it together: 1 / (1.2 * 8) of white.
+  const double range = display_model({}).range_cd_m2;
+  for (const double luminance : {3.0e-4, 1.0, 3.0e3}) {
+    EXPECT_NEAR(shown(curve_for(field_of({{luminance, 1.0}}), ToneOperator::photographic), luminance) / range,
+                1.0 / 9.6, 0.002);
+  }
+  // A fifth of the field, far too bright: with the rest black it is exposed for, at 5/9.6 of white; of little use
+  // beside it, a twentieth is white and counts as that: m = 0.95 + 0.05 * 9.6 m.
+  const auto black = field_of({{4.0e3, 0.2}, {1.0e-3, 0.8}});
+  EXPECT_NEAR(shown(curve_for(black, ToneOperator::photographic), 4.0e3) / range, 5.0 / 9.6, 0.01);
+  const auto bright = field_of({{1.0e6, 0.05}, {1.0, 0.95}});
+  EXPECT_NEAR(shown(curve_for(bright, ToneOperator::photographic), 1.0) / range, 0.52 / 0.95 / 9.6, 0.002);
 }
 
 TEST(ToneCurves, APointAtItsThresholdStaysAtIt) {
@@ -247,6 +268,17 @@ TEST(Metering, CellsDependOnFieldAndShapeAlone) {
     EXPECT_EQ(a.columns, b.columns);
     EXPECT_EQ(a.rows, b.rows);
     EXPECT_EQ(a.samples, b.samples);
+  }
+}
+
+TEST(Metering, APictureThatIsALineHasCellsToo) {
+  View line;
+  for (const auto& [width, height] : {std::pair(1, 500), std::pair(16384, 1), std::pair(2, 16384)}) {
+    line.width = width;
+    line.height = height;
+    const MeteringGrid grid = metering_grid(line);
+    EXPECT_GE(std::min(grid.columns, grid.rows), 1);
+    EXPECT_LE(std::max(grid.columns, grid.rows), 4096);
   }
 }
 

@@ -103,6 +103,7 @@ TEST_F(CatalogMoonCli, WrongOptionsExitWith2AndSayWhatIsAllowed) {
   expect_failure(2, inputs, {"--output is missing", "--dry-run"});
   expect_failure(2, line("-o grey.png"), {"grey.png", "names the input itself"});
   expect_failure(2, line("-o MADE_UP.LBL"), {"MADE_UP.LBL", "names the input itself"});
+  expect_failure(2, line("-o a.png"), {"a.png", "End the name in .exr"});
   expect_failure(2, line("-o a.exr --face 15"), {"--face: '15'", "even numbers from 16 to 4096"});
   expect_failure(2, line("-o a.exr --face x"), {"--face"});
   expect_failure(2, line("-o a.exr --longitude-origin east"), {"--longitude-origin", "-360 to 360"});
@@ -119,6 +120,8 @@ TEST_F(CatalogMoonCli, WrongFilesExitWith1AndLeaveAnEarlierMap) {
   };
   fails("moon --albedo none.png --elevation MADE_UP.IMG " + rest, {"none.png"});
   fails("moon --albedo MADE_UP.LBL --elevation MADE_UP.IMG " + rest, {"MADE_UP.LBL", "cannot be read"});
+  write_png(path("black.png"), 64, 32, std::vector<std::uint8_t>(std::size_t{4} * 64 * 32, 0), {});
+  fails("moon --albedo black.png --elevation MADE_UP.IMG " + rest, {"black.png: 100.0 % of the albedo map is missing"});
   fails("moon --albedo grey.png --elevation none.IMG " + rest, {"none.IMG", "has no label"});
   fails("moon --albedo grey.png --elevation grey.png --label MADE_UP.LBL " + rest,
         {"MADE_UP.LBL: line 4", "^IMAGE is \"MADE_UP.IMG\""});

@@ -44,6 +44,13 @@ TEST_F(RenderCli, WritesAPictureForTheEye) {
   EXPECT_GT(*std::max_element(image.values.begin(), image.values.end()), 0.9F);
 }
 
+TEST_F(RenderCli, WritesPicturesOfOneLine) {
+  for (const char* size : {"1x1", "1x500", "2000x1"}) {
+    const CommandResult result = run(std::string(scene) + "--layers stars --size " + size + " -o " + path("line.png"));
+    EXPECT_EQ(result.status, 0) << size << result.err;
+  }
+}
+
 TEST_F(RenderCli, WritesDeepPicturesAndTheirDisplay) {
   const std::string small = std::string(scene) + "--size 64x64 --fov 40 --azimuth 150 --altitude 40 ";
   const auto deep_share = [&](const std::string& name) {
@@ -151,6 +158,10 @@ TEST_F(RenderCli, WrongOptionsExitWithTwoAndWriteNothing) {
   expect_failure(2, "--refraction maybe" + to, {"--refraction", "maybe"});
   expect_failure(2, "--pressure 2000" + to, {"--pressure", "2000", "1100"});
   expect_failure(2, "--exposure-time -1" + to, {"--exposure-time", "-1"});
+  for (const char* option : {"exposure", "exposure-time", "age", "moon-scale", "sun-scale"}) {
+    expect_failure(2, std::string("--") + option + " nan" + to, {option, "'nan' is not allowed; allowed: ", " to "});
+  }
+  expect_failure(2, "--ev 3" + to, {"--ev: '3'", "only with --operator photographic"});
   expect_failure(2, "--bits 12" + to, {"--bits", "12", "8, 16"});
   expect_failure(2, "--display-peak 0" + to, {"--display-peak", "0.001 to 10000"});
   expect_failure(2, "--exr light" + to, {"--exr", "light"});

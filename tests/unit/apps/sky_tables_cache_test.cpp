@@ -3,6 +3,8 @@
 
 #include "common/sky_tables_cache.hpp"
 
+#include "vesper/atmosphere/earth_shadow_file.hpp"
+#include "vesper/atmosphere/medium_presets.hpp"
 #include "vesper/atmosphere/sky_tables_file.hpp"
 
 #include <gtest/gtest.h>
@@ -115,6 +117,29 @@ TEST_F(SkyTablesCache, DoesWithoutAFolder) {
     EXPECT_EQ(encoded(*tables(read_only)), made);
     EXPECT_NE(said().find("not kept"), std::string::npos);
   }
+}
+
+TEST_F(SkyTablesCache, KeepsTheLightInTheEarthsShadow) {
+  const Bytes made = encode_earth_shadow_light(cached_earth_shadow_light(clear_medium(), cache_));
+  EXPECT_EQ(made, encode_earth_shadow_light(default_earth_shadow_light()));
+  ASSERT_EQ(files().size(), 1U);
+  const fs::path file = cache_ / files().front();
+  EXPECT_EQ(read_file(file), made);
+  // What is there is read, not made: a file that says something else.
+  EarthShadowLight other = default_earth_shadow_light();
+  other.nearest_sun_au = 0.9;
+  write_earth_shadow_light(file, other);
+  EXPECT_EQ(cached_earth_shadow_light(clear_medium(), cache_).nearest_sun_au, 0.9);
+  EXPECT_EQ(said(), "");
+  write_file_atomically(file, Bytes(100));
+  EXPECT_EQ(encode_earth_shadow_light(cached_earth_shadow_light(clear_medium(), cache_)), made);
+  EXPECT_NE(said().find("made anew"), std::string::npos);
+  EXPECT_EQ(read_file(file), made);
+  write("no_folder", "a file");
+  EXPECT_EQ(encode_earth_shadow_light(cached_earth_shadow_light(clear_medium(), folder() / "no_folder" / "cache")),
+            made);
+  EXPECT_NE(said().find("not kept"), std::string::npos);
+  EXPECT_NE(earth_shadow_fingerprint(clear_medium()), earth_shadow_fingerprint(published_medium()));
 }
 
 TEST_F(SkyTablesCache, KeepsTheTwentyUsedLast) {
