@@ -1,5 +1,5 @@
 // The Moon: a sphere with a map of albedo and normals, lit by Sun and Earth. ECLIPSE has the Earth's shadow on it,
-// CRESCENT adds up the Sun's light apart. LAMBERT is the yardstick of the benchmark: the same sphere and map under a law
+// CRESCENT adds up the Sun's light where it falls. LAMBERT is the yardstick of the benchmark: the same sphere and map under a law
 // of cosines.
 #include "disc_stage.glsl"
 #include "lib/eclipse.glsl"
@@ -18,21 +18,27 @@ int disc_cells(DiscCell pixel) { return meets_disc(pixel) ? 1 : 0; }
 int disc_cells(DiscCell pixel) { return meets_disc(pixel) ? cells_for(pixel) : 0; }
 #endif
 
+// What a pixel's places share.
+struct MoonSight {
+  vec3 to_observer; // along mean-Earth axes, like all that follow
+  float dimming;    // of a larger picture
+};
+
+MoonSight moon_sight(vec2 place) {
+  return MoonSight(-(moon.fixed_from_disc * disc_sight(place, block.disc.sine)),
+                   disc_dimming(place, block.disc.sine, block.disc.scale));
+}
+
 struct MoonPlace {
-  vec3 normal; // of the sphere; all along mean-Earth axes
+  vec3 normal; // of the sphere
   vec3 relief;
-  vec3 to_observer;
-  float albedo; // of the picture, which a larger Moon dims
+  float albedo;
 };
 
 MoonPlace moon_place(vec2 place, float level) {
-  MoonPlace at;
-  at.normal = moon.fixed_from_disc * disc_normal(place, block.disc.sine);
-  vec4 surface = textureLod(moon_map, opengl_cube_direction(at.normal), level);
-  at.relief = normalize(surface.yzw);
-  at.to_observer = -(moon.fixed_from_disc * disc_sight(place, block.disc.sine));
-  at.albedo = surface.x * disc_dimming(place, block.disc.sine, block.disc.scale);
-  return at;
+  vec3 normal = moon.fixed_from_disc * disc_normal(place, block.disc.sine);
+  vec4 surface = textureLod(moon_map, opengl_cube_direction(normal), level);
+  return MoonPlace(normal, normalize(surface.yzw), surface.x);
 }
 
 #ifdef CRESCENT
@@ -56,6 +62,8 @@ vec4 disc_light(DiscCell pixel, out float hidden) {
   vec2 line = along_across > along_down ? pixel.across : pixel.down;
   vec2 beside = along_across > along_down ? pixel.down : pixel.across;
   int lines = lit ? clamp(int(ceil(moon.crescent_cells * length(beside))), 1, most_cells) : 1;
+  vec2 middle = disc_inner(r, width) * outward;
+  MoonSight sight = moon_sight(middle);
   float by_sun = 0.0;
   float by_earth = 0.0;
   for (int i = 0; i < lines; ++i) {
@@ -63,22 +71,28 @@ vec4 disc_light(DiscCell pixel, out float hidden) {
     DiscArc arc = disc_lit_arc(from, line, to_sun, reach);
     float angle = arc.end - arc.start;
     int cells = lit && angle > 0.0 ? clamp(int(ceil(moon.crescent_cells * angle)), 1, most_cells) : 0;
+    float step = angle / float(max(cells, 1));
+    float weight = arc.radius * step / float(lines);
+    float first = arc.start + (float(i) + 0.5) / float(lines) * step; // lines stagger their places
+    vec2 at_angle = vec2(sin(first), cos(first));
+    vec2 turn = vec2(sin(step), cos(step));
     for (int k = i == 0 ? -1 : 0; k < cells; ++k) {
       bool earthlit = k < 0;
-      float at_angle = arc.start + angle * (float(k) + 0.5) / float(cells);
-      vec2 place = earthlit ? disc_inner(r, width) * outward : from + (arc.middle + arc.radius * sin(at_angle)) * line;
-      float share = earthlit ? hidden : arc.radius * cos(at_angle) * angle / float(cells * lines);
+      vec2 place = earthlit ? middle : from + (arc.middle + arc.radius * at_angle.x) * line;
+      float share = earthlit ? hidden : weight * at_angle.y;
       MoonPlace at = moon_place(place, earthlit ? moon.map_level : 0.0);
-      float light = share * at.albedo / pi *
-                    lunar_relief_reflectance(at.normal, at.relief, at.to_observer,
+      float light = share * at.albedo *
+                    lunar_relief_reflectance(at.normal, at.relief, sight.to_observer,
                                              earthlit ? moon.lighting.to_earth : moon.lighting.to_sun,
                                              earthlit ? earth_radius_from_moon_rad : moon.lighting.sun_radius_rad,
                                              earthlit ? moon.lighting.earth_law : moon.lighting.sun_law);
       by_earth += earthlit ? light : 0.0;
       by_sun += earthlit ? 0.0 : light;
+      at_angle = earthlit ? at_angle
+                          : vec2(at_angle.x * turn.y + at_angle.y * turn.x, at_angle.y * turn.y - at_angle.x * turn.x);
     }
   }
-  return by_sun * moon.lighting.sunlit + by_earth * moon.lighting.earthlit;
+  return sight.dimming / pi * (by_sun * moon.lighting.sunlit + by_earth * moon.lighting.earthlit);
 }
 #else
 vec4 disc_light(DiscCell cell, out float hidden) {
@@ -89,7 +103,10 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   if (hidden == 0.0) {
     return vec4(0.0);
   }
-  MoonPlace at = moon_place(disc_inner(r, width) * outward, moon.map_level);
+  vec2 place = disc_inner(r, width) * outward;
+  MoonPlace at = moon_place(place, moon.map_level);
+  MoonSight sight = moon_sight(place);
+  at.albedo *= sight.dimming;
 #ifdef LAMBERT
   return at.albedo / pi * max(dot(at.relief, moon.lighting.to_sun), 0.0) * moon.lighting.sunlit * hidden;
 #endif
@@ -98,7 +115,7 @@ vec4 disc_light(DiscCell cell, out float hidden) {
   vec3 point_km = moon.from_earth_km.xyz + moon.from_earth_km.w * at.normal;
   eclipse = lunar_eclipse_shares(point_km, moon.shadow, moon.eclipse, eclipse_table);
 #endif
-  return hidden * moon_luminance(at.albedo, at.normal, at.relief, at.to_observer, moon.lighting, eclipse);
+  return hidden * moon_luminance(at.albedo, at.normal, at.relief, sight.to_observer, moon.lighting, eclipse);
 }
 
 #endif

@@ -62,12 +62,14 @@ void cut(PlannedMoon& moon, const SkyState& sky) {
   const Angle phase = sky.moon.phase_angle;
   double lit_width = 1.0 + std::cos(phase.to(rad)); // in radii, at the most
   const double lit_px = std::numbers::pi / 8.0 * lit_width * std::pow(moon.picture.width_px, 2);
-  constexpr double crescent_places = 8000.0; // leave 0.1 to 0.2 % of noise in its light
+  constexpr double many_px = 8000.0; // of which each may take its light from its middle
   if (phase > 100.0 * deg) {
     moon.picture.cells_of_radius = 20.0;
-    if (lit_px < crescent_places) {
+    if (lit_px < many_px) {
+      // 4000 places leave 0.1 to 0.2 % of noise in its light; fewer do where a thin crescent has many pixels.
       const double lit_rad = std::numbers::pi - phase.to(rad) + f64::lunar_relief_reach;
-      moon.crescent_cells = std::sqrt(crescent_places / (2.0 * lit_rad));
+      moon.crescent_cells =
+          std::min(std::sqrt(4000.0 / (2.0 * lit_rad)), std::max(78.0, 3300.0 / moon.picture.width_px));
     }
     return;
   }
