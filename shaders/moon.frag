@@ -1,6 +1,6 @@
 // The Moon: a sphere with a map of albedo and normals, lit by Sun and Earth. ECLIPSE has the Earth's shadow on it,
-// CRESCENT adds up the Sun's light where it falls. LAMBERT is the yardstick of the benchmark: the same sphere and map under a law
-// of cosines.
+// CRESCENT adds up the Sun's light where it falls. LAMBERT is the yardstick of the benchmark: the same sphere and map
+// under a law of cosines.
 #include "disc_stage.glsl"
 #include "lib/eclipse.glsl"
 #include "lib/lunar_eclipse.glsl"

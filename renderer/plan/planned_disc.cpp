@@ -66,10 +66,11 @@ void cut(PlannedMoon& moon, const SkyState& sky) {
   if (phase > 100.0 * deg) {
     moon.picture.cells_of_radius = 20.0;
     if (lit_px < many_px) {
-      // 4000 places leave 0.1 to 0.2 % of noise in its light; fewer do where a thin crescent has many pixels.
+      // So many places leave 0.1 to 0.2 % of noise in its light. They cost the most, against the disc, from where its
+      // pixels are cut no more to where the lit ones are as many as the places.
+      const bool costly = moon.picture.width_px > 32.0 && moon.picture.width_px < 80.0;
       const double lit_rad = std::numbers::pi - phase.to(rad) + f64::lunar_relief_reach;
-      moon.crescent_cells =
-          std::min(std::sqrt(4000.0 / (2.0 * lit_rad)), std::max(78.0, 3300.0 / moon.picture.width_px));
+      moon.crescent_cells = std::min(std::sqrt((costly ? 4200.0 : 5000.0) / (2.0 * lit_rad)), costly ? 74.0 : 117.0);
     }
     return;
   }

@@ -74,17 +74,17 @@ protected:
                                                               {Projection::perspective, 2.0, 64},
                                                               {Projection::perspective, 10.0, 100},
                                                               {Projection::perspective, 60.0, 400},
-                                                              {Projection::fisheye, 180.0, 800},
+                                                              {Projection::fisheye, 180.0, 400},
                                                               {Projection::fisheye, 180.0, 64},
                                                               {Projection::stereographic, 2.0, 128},
-                                                              {Projection::equirectangular, 0.0, 1600},
-                                                              {Projection::cubemap, 0.0, 400},
+                                                              {Projection::equirectangular, 0.0, 800},
+                                                              {Projection::cubemap, 0.0, 200},
                                                               {Projection::cubemap, 0.0, 60}}) {
       const std::string what = std::string("light of the ") + name + ", " +
                                std::string(projection_names()[static_cast<std::size_t>(of.projection)]) + " " +
                                (of.fov_deg > 0.0 ? std::to_string(of.fov_deg).substr(0, 5) + " deg, " : "") +
                                std::to_string(of.size) + " px";
-      errors(body, sky, of, of.size >= 400 ? 2 : 4).hold(what, limit, "of it");
+      errors(body, sky, of, of.size >= 200 ? 2 : 4).hold(what, limit, "of it");
     }
   }
 
