@@ -26,10 +26,6 @@ struct DiscCell {
 
 // Luminance above the air that a cell adds, and what it hides.
 vec4 disc_light(DiscCell cell, out float hidden);
-#ifdef CRESCENT
-// Mean luminance above the air that the pixel has besides, and that times the sine of the altitude that it has in Y.
-vec4 light_apart(DiscCell pixel, out float altitude);
-#endif
 // How much finer than a pixel is worth looking there: 1 where the pixel will do.
 int disc_cells(DiscCell pixel);
 
@@ -110,13 +106,15 @@ void main() {
     discard;
   }
   float hidden;
-#ifndef CRESCENT
+#ifdef CRESCENT // which takes the mean over a pixel itself
+  luminance = behind_air(disc_light(pixel, hidden), pixel.sin_altitude);
+  cover = vec4(hidden);
+#else
   if (cells == 1) {
     luminance = behind_air(disc_light(pixel, hidden), pixel.sin_altitude);
     cover = vec4(hidden);
     return;
   }
-#endif
   // The mean over the pixel's solid angle, whose air is that of where its light is.
   PixelFrame frame = PixelFrame(PROJECTION, block.size, block.focal);
   vec4 light = vec4(0.0);
@@ -140,11 +138,7 @@ void main() {
   weights = max(weights, 1.0e-30);
   light /= weights;
   altitude /= weights;
-#ifdef CRESCENT
-  float altitude_apart;
-  light += light_apart(pixel, altitude_apart);
-  altitude += altitude_apart;
-#endif
   luminance = behind_air(light, light.y > 0.0 ? altitude / light.y : pixel.sin_altitude);
   cover = vec4(covered / weights);
+#endif
 }

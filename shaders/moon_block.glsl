@@ -6,5 +6,5 @@ layout(std140, binding = 1) uniform MoonBlock {
   EarthShadow shadow;
   LunarEclipseFrame eclipse;
   float map_level;      // of the map's mipmaps
-  float crescent_cells; // a radian of the sphere, where the Sun's light is added up apart
+  float crescent_cells; // a radian of the sphere, in which a crescent's sunlight is added up
 } moon;

@@ -49,12 +49,13 @@ template <class V> std::array<float, 4> vector_of(const V& v) {
 /// The mipmap whose texels are as wide as the cells at the disc's middle: one for all of it. Towards the limb cells
 /// reach ever further over the sphere, but relief must not be smoothed away there: its mean light is not that of its
 /// mean.
-double map_level(const PlannedMoon& moon) {
-  const double cell = 1.0 / std::max(0.5 * moon.picture.width_px, moon.picture.cells_of_radius);
+/// \param cells_of_radius into which pixels are cut
+double map_level(const PlannedMoon& moon, double cells_of_radius) {
+  const double cell = 1.0 / std::max(0.5 * moon.picture.width_px, cells_of_radius);
   return std::max(std::log2(0.5 * moon.globe->map.face_size * cell), 0.0);
 }
 
-MoonBlock block_of(const PlannedMoon& moon) {
+MoonBlock block_of(const PlannedMoon& moon, MoonShading shading) {
   const f64::MoonLighting& light = moon.disc.lighting;
   const auto law = [](const f64::LunarLaw& from) { return vector_of(Vec2(from.seeliger, from.lambert)); };
   MoonBlock block{};
@@ -81,7 +82,8 @@ MoonBlock block_of(const PlannedMoon& moon) {
                    static_cast<float>(frame.edge_per_km),
                    static_cast<float>(frame.inside_km),
                    static_cast<float>(frame.columns_per_km)};
-  block.map_level = static_cast<float>(map_level(moon));
+  const bool whole_pixels = shading == MoonShading::surface && moon.crescent_cells > 0.0;
+  block.map_level = static_cast<float>(map_level(moon, whole_pixels ? 1.0 : moon.picture.cells_of_radius));
   block.crescent_cells = static_cast<float>(moon.crescent_cells);
   return block;
 }
@@ -133,7 +135,7 @@ void MoonPass::prepare(const SkyState& sky, const View& view, const FramePlan& p
     eclipse_ = table_of(moon.eclipse);
   }
   disc_.prepare(moon.picture, sky, view, plan, defines);
-  const MoonBlock block = block_of(moon);
+  const MoonBlock block = block_of(moon, shading);
   update_buffer(uniforms_, std::as_bytes(std::span(&block, 1)));
 }
 

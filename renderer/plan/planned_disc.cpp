@@ -62,12 +62,15 @@ void cut(PlannedMoon& moon, const SkyState& sky) {
   const Angle phase = sky.moon.phase_angle;
   double lit_width = 1.0 + std::cos(phase.to(rad)); // in radii, at the most
   const double lit_px = std::numbers::pi / 8.0 * lit_width * std::pow(moon.picture.width_px, 2);
-  constexpr double crescent_places = 8000.0; // leave 0.1 to 0.2 % of noise in its light
+  constexpr double many_px = 8000.0; // of which each may take its light from its middle
   if (phase > 100.0 * deg) {
     moon.picture.cells_of_radius = 20.0;
-    if (lit_px < crescent_places) {
+    if (lit_px < many_px) {
+      // So many places leave 0.1 to 0.2 % of noise in its light. They cost the most, against the disc, from where its
+      // pixels are cut no more to where the lit ones are as many as the places.
+      const bool costly = moon.picture.width_px > 32.0 && moon.picture.width_px < 80.0;
       const double lit_rad = std::numbers::pi - phase.to(rad) + f64::lunar_relief_reach;
-      moon.crescent_cells = std::sqrt(crescent_places / (2.0 * lit_rad));
+      moon.crescent_cells = std::min(std::sqrt((costly ? 4200.0 : 5000.0) / (2.0 * lit_rad)), costly ? 74.0 : 117.0);
     }
     return;
   }

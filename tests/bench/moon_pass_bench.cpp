@@ -65,7 +65,10 @@ BENCHMARK_CAPTURE(moon_pass, narrow, "2026-05-01T23:00:00Z", 10.0, 1024)->Iterat
 BENCHMARK_CAPTURE(moon_pass, thin_crescent, "2026-05-18T12:00:00Z", 0.6, 1024)->Iterations(30);
 BENCHMARK_CAPTURE(moon_pass, crescent_200px, "2026-05-19T20:00:00Z", 0.6, 226)->Iterations(60);
 BENCHMARK_CAPTURE(moon_pass, thin_crescent_200px, "2026-05-18T12:00:00Z", 0.6, 226)->Iterations(60);
-BENCHMARK_CAPTURE(moon_pass, thin_crescent_20px, "2026-05-18T12:00:00Z", 6.0, 226)->Iterations(60);
+// The worst: the yardstick's pixels are not cut any more, and the crescent has as many places as a large one.
+BENCHMARK_CAPTURE(moon_pass, thin_crescent_44px, "2026-05-18T12:00:00Z", 2.75, 226)->Iterations(200);
+BENCHMARK_CAPTURE(moon_pass, thin_crescent_24px, "2026-05-18T12:00:00Z", 5.0, 226)->Iterations(200);
+BENCHMARK_CAPTURE(moon_pass, thin_crescent_20px, "2026-05-18T12:00:00Z", 6.0, 226)->Iterations(200);
 
 /// A Moon too narrow for a disc, and wider ones, against one star as bright as stars get.
 void few_pixels(benchmark::State& state, double pixels) {
