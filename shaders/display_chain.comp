@@ -142,7 +142,7 @@ Seen seen_in_row(int row, ivec2 columns, float beside) {
 
 void show(ivec2 at, Seen seen) {
   ivec2 within = min(at, ivec2(int(size.x), strip.y) - 1);
-  vec4 all = imageLoad(frame, within);
+  vec4 all = max(imageLoad(frame, within), 0.0);
 #ifdef POINTS
   vec4 point = min(imageLoad(points, within), all);
 #else

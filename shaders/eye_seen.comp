@@ -77,7 +77,10 @@ void main() {
     float low = level_variance(level);
     float coarser = clamp((variance - low) / (level_variance(level + 1) - low), 0.0, 1.0);
     pooled = min(variance / low, 1.0);
-    sum += kept * pooled * mix(level_light(pixel, level), level_light(pixel, level + 1), coarser);
+    vec4 light = mix(level_light(pixel, level), level_light(pixel, level + 1), coarser);
+    // Nothing is seen past a fisheye's circle, no darkness either.
+    float seen = share_in_circle(pixel, sqrt(mix(low, level_variance(level + 1), coarser)), eye_frame());
+    sum += kept * pooled * light / max(seen, 0.25);
   }
   imageStore(added, texel, sum);
   imageStore(shares, texel, vec4(kept * (1.0 - pooled), kept, 0.0, 0.0));

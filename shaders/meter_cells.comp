@@ -41,7 +41,9 @@ void main() {
     }
 #ifdef EYE
     ivec2 block = at / 4;
-    vec4 extended = texelFetch(eye_shares, block, 0).x * texelFetch(frame, block, 0) + texelFetch(eye_added, block, 0);
+    float inside = share_in_circle(4.0 * (vec2(block) + 0.5), 4.0 / sqrt(12.0), picture);
+    float kept = texelFetch(eye_shares, block, 0).x / max(inside, 0.25);
+    vec4 extended = kept * texelFetch(frame, block, 0) + texelFetch(eye_added, block, 0);
 #else
     ivec2 texel = at - ivec2(0, strip.x);
     vec4 extended = max(texelFetch(frame, texel, 0) - texelFetch(points, texel, 0), vec4(0.0));

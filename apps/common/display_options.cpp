@@ -75,6 +75,7 @@ std::string apply_dome_reflectance(std::string_view text, DisplayOptions& option
 }
 
 std::string apply_pixels_per_degree(std::string_view text, DisplayOptions& options) {
+  options.pixels_per_degree_given = true;
   return take(text, pixels_per_degree_range, " pixels per degree", options.display.pixels_per_degree);
 }
 
@@ -111,10 +112,11 @@ constexpr std::array display_options{
     DisplayOptionDescription{"dome-reflectance", "SHARE",
                              "Share of light that a dome throws back, also onto itself, 0 to 0.98; default 0, no dome",
                              apply_dome_reflectance},
-    DisplayOptionDescription{"pixels-per-degree", "NUMBER",
-                             "As the viewer sees them, 0.1 to 1000; default 37.8, a monitor of 24 inches and 1920 x "
-                             "1080 pixels from 60 cm",
-                             apply_pixels_per_degree},
+    DisplayOptionDescription{
+        "pixels-per-degree", "NUMBER",
+        "As the viewer sees them, 0.1 to 1000; by default the picture fills the height of a 24-inch "
+        "monitor at 60 cm (37.8 for 1080 rows), in a dome angles are as in the scene",
+        apply_pixels_per_degree},
     DisplayOptionDescription{"bits", "N", "Of a code value of a PNG, 8 or 16; default 8", apply_bits},
 };
 

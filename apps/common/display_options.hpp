@@ -19,6 +19,7 @@ struct DisplayOptions {
   int bits = 8; ///< of a code value: 8 or 16
   bool black_given = false;
   bool ambient_given = false;
+  bool pixels_per_degree_given = false;
 };
 
 /// An option described once: name, help, range and meaning.

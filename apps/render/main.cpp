@@ -131,9 +131,12 @@ DiscOptions disc_options(const RenderOptions& options) {
 }
 
 gpu::DisplaySettings display_settings(const RenderOptions& options, OutputKind kind,
-                                      const DisplayOptions& display_options, const SkyState& sky) {
+                                      const DisplayOptions& display_options, const View& view, const SkyState& sky) {
   gpu::DisplaySettings settings;
   settings.display = display_options.display;
+  if (!display_options.pixels_per_degree_given) {
+    settings.display.pixels_per_degree = usual_pixels_per_degree(settings.display, view);
+  }
   const bool deep = kind == OutputKind::display_exr || display_options.bits == 16;
   settings.format = deep ? gpu::PixelFormat::rgba16 : gpu::PixelFormat::rgba8;
   settings.tone.tone = *tone_operator_from_name(options.tone);
@@ -220,7 +223,7 @@ void render(const SceneOptions& scene, const RenderOptions& options, const Displ
       options.shader_dir.empty() ? gpu::ShaderLibrary() : gpu::ShaderLibrary(options.shader_dir);
   gpu::Renderer renderer(shaders);
   renderer.load(catalogue);
-  const gpu::DisplaySettings display = display_settings(options, kind, display_options, sky);
+  const gpu::DisplaySettings display = display_settings(options, kind, display_options, scene.view, sky);
   gpu::DisplayChain chain(shaders, display);
   gpu::RenderOutputs outputs;
   outputs.xyzs = kind == OutputKind::scene_exr;

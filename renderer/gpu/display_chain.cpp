@@ -28,11 +28,7 @@ void require_settings(const DisplaySettings& settings) {
 /// A picture that shows angles larger than they are is looked at as through a telescope; one that shows them smaller is
 /// still what the naked eye sees.
 double magnification(const View& view, const Display& display) {
-  const f64::ProjectionFrame projection = projection_frame(view);
-  const double per_steradian =
-      f64::pixels_per_steradian(0.5 * projection.size, {projection.kind, projection.size, projection.focal});
-  const double per_degree = std::sqrt(per_steradian) * (1.0 * deg).to(rad);
-  return std::max(1.0, per_degree / display.pixels_per_degree);
+  return std::max(1.0, view_pixels_per_degree(view) / display.pixels_per_degree);
 }
 
 /// The curve at the eighths of octaves by which floats count, so that the GPU needs no logarithm:

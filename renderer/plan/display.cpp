@@ -61,6 +61,13 @@ void validate(const Display& display) {
   }
 }
 
+double usual_pixels_per_degree(const Display& display, const View& view) {
+  constexpr double monitor_rows = 1080.0;
+  const double filling = Display().pixels_per_degree * std::min(view.width, view.height) / monitor_rows;
+  return std::clamp(display.dome_reflectance > 0.0 ? view_pixels_per_degree(view) : filling,
+                    pixels_per_degree_range.lowest, pixels_per_degree_range.highest);
+}
+
 f64::DisplayModel display_model(const Display& display) {
   validate(display);
   // What a hemisphere sends out reaches itself to this share: the rest leaves through the opening.

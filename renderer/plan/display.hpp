@@ -3,6 +3,7 @@
 
 #include "vesper/base/shader_math.hpp"
 #include "vesper/base/units.hpp"
+#include "vesper/plan/view.hpp"
 
 #include <optional>
 #include <span>
@@ -61,6 +62,10 @@ struct Display {
 
 /// Throws Error(argument) naming the member, its value and the allowed range.
 void validate(const Display& display);
+
+/// Pixels that a degree takes of a picture as it is likely to be seen: filling the height of the default monitor, or,
+/// in a dome, with angles as they are in the scene. So more pixels make a picture sharper and change nothing else.
+[[nodiscard]] double usual_pixels_per_degree(const Display& display, const View& view);
 
 /// The display in the form that shaders/lib/display.glsl takes, in double precision. Throws as validate does.
 [[nodiscard]] f64::DisplayModel display_model(const Display& display);

@@ -107,4 +107,10 @@ f64::ProjectionFrame projection_frame(const View& view) {
   return frame;
 }
 
+double view_pixels_per_degree(const View& view) {
+  const f64::ProjectionFrame frame = projection_frame(view);
+  const double per_steradian = f64::pixels_per_steradian(0.5 * frame.size, {frame.kind, frame.size, frame.focal});
+  return std::sqrt(per_steradian) * (1.0 * deg).to(rad);
+}
+
 } // namespace vesper

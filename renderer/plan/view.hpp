@@ -48,4 +48,7 @@ void validate(const View& view);
 /// The projection in the form that shaders/lib/projection.glsl takes, in double precision.
 [[nodiscard]] f64::ProjectionFrame projection_frame(const View& view);
 
+/// Pixels that a degree takes in the middle of the picture.
+[[nodiscard]] double view_pixels_per_degree(const View& view);
+
 } // namespace vesper

@@ -160,6 +160,16 @@ FN Real pixels_per_steradian(vec2 pixel, PixelFrame frame) {
   return frame.focal * frame.focal * t * sqrt(t);
 }
 
+// Share of what is spread about a pixel, normally with a standard deviation in pixels, that falls within the circle of a
+// fisheye; within 0.01 (the normal integral by a logistic curve). Other projections fill their pictures.
+FN Real share_in_circle(vec2 pixel, Real sigma, PixelFrame frame) {
+  if (frame.kind != projection_fisheye) {
+    return Real(1.0);
+  }
+  Real within = Real(0.5) * min(frame.size.x, frame.size.y) - length(pixel - Real(0.5) * frame.size);
+  return Real(1.0) / (Real(1.0) + exp(clamp(Real(-1.702) * within / sigma, Real(-30.0), Real(30.0))));
+}
+
 // Width on the sky of the pixel with the given centre, rad: along its longer side where the projection stretches it.
 FN Real pixel_width(vec2 pixel, PixelFrame frame) {
   vec2 offset = pixel - Real(0.5) * frame.size;

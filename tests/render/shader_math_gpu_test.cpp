@@ -257,6 +257,15 @@ TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
          {1023.5F, height - 0.5F, 0, 0},
          37,
          1.0e-4F});
+    cases.push_back(
+        {std::string("share_in_circle ") + names.at(static_cast<std::size_t>(kind)),
+         "vec4(share_in_circle(v.xy, 40.0, PixelFrame(" + std::to_string(kind) + ", vec2(1024.0, " +
+             (kind == 4 ? "6144.0" : "768.0") + "), 512.0)), 0, 0, 0)",
+         [kind](const glm::vec4& v) { return scalar(f32::share_in_circle(glm::vec2(v), 40.0F, test_frame(kind))); },
+         {0.5F, 0.5F, 0, 0},
+         {1023.5F, height - 0.5F, 0, 0},
+         37,
+         1.0e-4F});
   }
   expect_twins(cases);
 }

@@ -236,6 +236,19 @@ TEST(Display, TheViewersPixelsAreThoseOfADesk) {
   EXPECT_NEAR(display_model(Display()).pixel_sr, std::pow((1.0 * deg).to(rad) / 37.84, 2.0), 1.0e-9);
 }
 
+TEST(Display, APictureFillsAMonitorOrADome) {
+  View view;
+  view.width = 2560;
+  view.height = 1440;
+  // As wide an angle as 1080 rows of the default monitor take.
+  EXPECT_NEAR(1440.0 / usual_pixels_per_degree({}, view), 1080.0 / Display().pixels_per_degree, 1.0e-9);
+  Display dome;
+  dome.dome_reflectance = 0.4;
+  EXPECT_NEAR(usual_pixels_per_degree(dome, view), 1440.0 / 180.0, 1.0e-9);
+  view.width = view.height = 1;
+  EXPECT_EQ(usual_pixels_per_degree({}, view), pixels_per_degree_range.lowest);
+}
+
 TEST(Display, NamesAreThereAndBack) {
   for (const Primaries primaries : all_primaries) {
     EXPECT_EQ(primaries_from_name(primaries_names()[static_cast<std::size_t>(primaries)]), primaries);

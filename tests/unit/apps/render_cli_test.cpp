@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 namespace vesper {
@@ -48,6 +50,28 @@ TEST_F(RenderCli, WritesPicturesOfOneLine) {
   for (const char* size : {"1x1", "1x500", "2000x1"}) {
     const CommandResult result = run(std::string(scene) + "--layers stars --size " + size + " -o " + path("line.png"));
     EXPECT_EQ(result.status, 0) << size << result.err;
+  }
+}
+
+TEST_F(RenderCli, WritesTheSameMeanInMorePixels) {
+  // Whole skies of La Palma, on the display: a dark night with its stars and planets, and a full Moon.
+  for (const char* time : {"2026-08-15T01:00:00Z", "2026-08-28T01:30:00Z"}) {
+    std::array<double, 2> means{};
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      const std::string file = path("sky.exr");
+      const std::string size = i == 0 ? "512x512" : "2048x2048";
+      const CommandResult result = run(std::string(" --latitude 28.76 --longitude -17.88 --height 2400 --exr display") +
+                                       " --time " + time + " --size " + size + " -o " + file);
+      ASSERT_EQ(result.status, 0) << result.err;
+      const FloatImage image = read_image(file);
+      for (std::size_t p = 0; p < image.values.size(); p += image.channels.size()) {
+        means.at(i) += static_cast<double>(0.2126F * image.values[p] + 0.7152F * image.values[p + 1] +
+                                           0.0722F * image.values[p + 2]);
+      }
+      means.at(i) /= static_cast<double>(image.width) * image.height;
+    }
+    std::printf("  %s: mean of the display's range %.5f in 512 pixels, %.5f in 2048\n", time, means[0], means[1]);
+    EXPECT_NEAR(means[0] / means[1], 1.0, 0.01) << time;
   }
 }
 
