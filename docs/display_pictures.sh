@@ -18,11 +18,11 @@ times=(2026-08-14T13:10:00Z 2026-08-14T19:45:00Z 2026-08-14T20:06:00Z 2026-08-14
   2026-08-28T01:30:00Z 2026-08-15T01:00:00Z)
 operators=(visibility reinhard hable photographic false-color)
 
-# render NAME TIME OPTIONS...
+# render NAME TIME OPTIONS...: a picture that a page shows pixel by pixel.
 render() {
   local name=$1 time=$2
   shift 2
-  "$bin/vesper-render" --quiet --time "$time" "${place[@]}" --seed 1 "$@" -o "$tiles/$name.png"
+  "$bin/vesper-render" --quiet --time "$time" "${place[@]}" --pixels-per-degree 37.8 --seed 1 "$@" -o "$tiles/$name.png"
 }
 
 quantities() {
