@@ -9,6 +9,7 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -53,11 +54,12 @@ inline gpu::Texture texture_of(const View& view, const std::vector<float>& rgba)
 /// The pixels that have light of points.
 inline std::vector<gpu::PointTiles::Box> boxes_of_points(const PictureLight& light) {
   std::vector<gpu::PointTiles::Box> boxes;
+  const auto width = static_cast<std::size_t>(light.view.width);
   for (std::size_t i = 0; i < light.points.size() / 4; ++i) {
     if (light.points[4 * i + 1] != 0.0F) {
-      const auto column = static_cast<float>(i % static_cast<std::size_t>(light.view.width));
-      const auto row = static_cast<float>(i / static_cast<std::size_t>(light.view.width));
-      boxes.push_back({column, row, column + 1.0F, row + 1.0F});
+      const std::size_t row = i / width;
+      const auto low = std::array{static_cast<float>(i % width), static_cast<float>(row)};
+      boxes.push_back({low[0], low[1], low[0] + 1.0F, low[1] + 1.0F});
     }
   }
   return boxes;

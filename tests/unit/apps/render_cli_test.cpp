@@ -59,9 +59,9 @@ TEST_F(RenderCli, WritesTheSameMeanInMorePixels) {
     std::array<double, 2> means{};
     for (std::size_t i = 0; i < means.size(); ++i) {
       const std::string file = path("sky.exr");
-      const std::string size = i == 0 ? "512x512" : "2048x2048";
-      const CommandResult result = run(std::string(" --latitude 28.76 --longitude -17.88 --height 2400 --exr display") +
-                                       " --time " + time + " --size " + size + " -o " + file);
+      std::string line = " --latitude 28.76 --longitude -17.88 --height 2400 --exr display --time ";
+      line.append(time).append(i == 0 ? " --size 512x512" : " --size 2048x2048").append(" -o ").append(file);
+      const CommandResult result = run(line);
       ASSERT_EQ(result.status, 0) << result.err;
       const FloatImage image = read_image(file);
       for (std::size_t p = 0; p < image.values.size(); p += image.channels.size()) {
