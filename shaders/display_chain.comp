@@ -71,6 +71,7 @@ vec3 curve_at(float luminance) {
 }
 
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
+  extended.w = max(extended.w, 0.0); // lest impossible light have no luminance
   float cones = cone_share(extended);
   float rods = (1.0 - cones) * rods_at_555_nm;
   PixelFrame picture = PixelFrame(PROJECTION, size, focal);

@@ -56,7 +56,7 @@ double x_over_white(const f64::vec3& xyz) { return xyz.x / xyz.y - 0.95047; }
 TEST_F(BrightColors, KeepTheirColourUntilTheyDazzle) {
   const View view = square_view(64);
   for (const std::array<float, 3>& color : colored) {
-    const double asked = color[0] - 0.95047;
+    const double asked = static_cast<double>(color[0]) - 0.95047;
     if (color[2] > 1.0F) {
       continue; // X hardly tells blue from white
     }
