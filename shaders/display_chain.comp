@@ -45,6 +45,7 @@ layout(location = 7) uniform float seconds;
 #endif
 layout(location = 8) uniform mat3 signal_from_xyz; // of light over the floor
 layout(location = 9) uniform vec3 rod_hue;         // night_hue once it is shown
+layout(location = 10) uniform float color_to_keep; // of scale_with_color
 layout(location = 20) uniform DisplayModel display;
 
 // Solid angle over which the eye spreads a point of light, sr: a disc of 2 arcmin.
@@ -59,7 +60,8 @@ float cone_share(vec4 light) {
   return night_vision == 0 ? 1.0 : share;
 }
 
-// tone_curve by a texel for each eighth of an octave as floats count them: renderer/gpu/display_chain.cpp fills it.
+// tone_curve in shares of the display's range, by a texel for each eighth of an octave as floats count them:
+// renderer/gpu/display_chain.cpp fills it.
 vec3 curve_at(float luminance) {
   const int eighth = 1 << 20;
   int bits = floatBitsToInt(luminance) - ((127 + tone_lowest_octave) << 23);
@@ -69,6 +71,7 @@ vec3 curve_at(float luminance) {
 }
 
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
+  extended.w = max(extended.w, 0.0); // lest impossible light have no luminance
   float cones = cone_share(extended);
   float rods = (1.0 - cones) * rods_at_555_nm;
   PixelFrame picture = PixelFrame(PROJECTION, size, focal);
@@ -84,31 +87,37 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
 #endif
   // seen_color times (cones + rods), which only its luminance needs.
   vec3 color = cones * extended.xyz + rod_light * rod_hue;
-  vec3 tone = curve_at(max(color.y, 0.0) / (cones + rods));
-  color *= tone.x * (1.0 / max(color.y, 1.0e-30));
-  float more = 0.0;
+  float seen = max(color.y, 0.0) / (cones + rods);
+  vec3 tone = curve_at(seen);
+  // Of the light that a display adds to its floor.
+  vec3 signal = signal_from_xyz * color;
+  float luminance = max(color.y, 1.0e-30);
+  float highest = max(signal.x, max(signal.y, signal.z));
+  float scale = scale_with_color(tone.x, luminance, highest, seen, color_to_keep);
+  signal *= scale;
+  float shown = scale * luminance;
+  highest *= scale;
   if (point.y > 0.0) {
     float pixel_sr = 1.0 / max(pixels_per_steradian(at, picture), 1.0e-6);
     // A pixel in the middle of a star holds a fourth of its light.
     vec3 seen_point = seen_color(point, cone_share(point * (4.0 / point_image_sr * pixel_sr)), rod_hue);
-    more = tone.y * point.y;
+    float more = tone.y * point.y;
     if (points_as_seen != 0) {
       float lux = seen_light(point.y, point.w, cones) * pixel_sr;
       more = tone.y * point_boost(lux * tone.z) * lux / display.pixel_sr;
     }
-    color += seen_point * (more / max(seen_point.y, 1.0e-30));
+    signal += signal_from_xyz * (seen_point * (more / max(seen_point.y, 1.0e-30)));
+    if (more > 0.0) {
+      // The ceiling is what the display can show of that colour.
+      float asked = shown + more;
+      highest = max(signal.x, max(signal.y, signal.z));
+      float ceiling = asked / max(highest, asked);
+      shown = under_ceiling(shown, more, max(ceiling, shown));
+      signal *= shown / asked;
+      highest *= shown / asked;
+    }
   }
-  // Of the light that a display adds to its floor.
-  vec3 signal = signal_from_xyz * color;
-  float shown = tone.x;
-  if (more > 0.0) {
-    // The ceiling is what the display can show of that colour.
-    float asked = tone.x + more;
-    float ceiling = asked / max(max(signal.x, signal.y), max(signal.z, asked / display.range_cd_m2));
-    shown = under_ceiling(tone.x, more, max(ceiling, tone.x));
-    signal *= shown / asked;
-  }
-  return fit_to_gamut(signal, shown / display.range_cd_m2);
+  return towards_grey(signal, shown, highest);
 }
 
 float encoded(float signal) {

@@ -31,9 +31,9 @@ double magnification(const View& view, const Display& display) {
   return std::max(1.0, view_pixels_per_degree(view) / display.pixels_per_degree);
 }
 
-/// The curve at the eighths of octaves by which floats count, so that the GPU needs no logarithm:
-/// shaders/display_chain.comp.
-Texture texture_of(const ToneCurve& curve) {
+/// The curve at the eighths of octaves by which floats count, so that the GPU needs no logarithm, and what is shown in
+/// shares of the display's range: shaders/display_chain.comp.
+Texture texture_of(const ToneCurve& curve, double range_cd_m2) {
   const f64::sampler1D nodes{curve.nodes.data(), static_cast<int>(curve.nodes.size())};
   const auto at = [&nodes](int eighth, double part) {
     const int octave = f64::tone_lowest_octave + eighth / f64::tone_nodes_per_octave;
@@ -42,9 +42,10 @@ Texture texture_of(const ToneCurve& curve) {
   };
   std::vector<float> rgba;
   for (int eighth = 0; eighth < f64::tone_nodes; ++eighth) {
-    const double here = at(eighth, 0.0).x;
+    const double here = at(eighth, 0.0).x / range_cd_m2;
+    const double next = at(eighth + 1, 0.0).x / range_cd_m2;
     const f64::vec3 middle = at(eighth, 0.5);
-    for (const double value : {here, at(eighth + 1, 0.0).x - here, middle.y, middle.z}) {
+    for (const double value : {here, next - here, middle.y / range_cd_m2, middle.z}) {
       rgba.push_back(static_cast<float>(value));
     }
   }
@@ -97,7 +98,7 @@ void DisplayChain::find_curve() {
   }
   histogram_ = meter_.histogram();
   curve_ = make_tone_curve(settings_.tone, histogram_, settings_.adaptation.value_or(adapted_to(histogram_)), display_);
-  nodes_ = texture_of(curve_);
+  nodes_ = texture_of(curve_, display_.range_cd_m2);
   std::vector<std::string> defines{fmt::format("PROJECTION {}", static_cast<int>(view_.projection)),
                                    fmt::format("TRANSFER {}", display_.transfer)};
   if (settings_.tone.tone == ToneOperator::false_color) {
@@ -128,10 +129,12 @@ void DisplayChain::find_curve() {
     if (settings_.noise) {
       glProgramUniform1f(program, 7, static_cast<float>(settings_.seconds));
     }
-    const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz / display_.range_cd_m2);
+    const f32::mat3 signal_from_xyz(display_.rgb_from_xyz * color_adaptation_.shown_from_xyz);
     glProgramUniformMatrix3fv(program, 8, 1, GL_FALSE, &signal_from_xyz[0][0]);
     const f32::vec3 rod_hue(color_adaptation_.rod_hue);
     glProgramUniform3fv(program, 9, 1, &rod_hue[0]);
+    const bool burns_out = settings_.tone.tone == ToneOperator::photographic;
+    glProgramUniform1f(program, 10, burns_out ? 0.0F : f32::kept_color);
     set_display(handle, display_location, display_);
   }
   looked_ = false;

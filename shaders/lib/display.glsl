@@ -112,17 +112,21 @@ FN Real display_ceiling_cd_m2(DisplayModel display, Real mean_cd_m2) {
   return display_floor_cd_m2(display, mean_cd_m2) + display.range_cd_m2;
 }
 
-// Linear components within 0 to 1 of the same luminance and, towards grey, the same hue. Clipping would change both.
-// grey: their luminance. What is within stays.
-FN vec3 fit_to_gamut(vec3 rgb, Real grey) {
+// Linear components within 0 to 1, but for rounding at 1, of the same luminance and, towards grey, the same hue. Clipping
+// would change both. grey: their luminance, 0 to 1; highest: the largest of them. What is within stays.
+FN vec3 towards_grey(vec3 rgb, Real grey, Real highest) {
   const Real least = Real(1.0e-30);
-  Real within = clamp(grey, Real(0.0), Real(1.0));
-  Real rest = Real(1.0) - within;
-  vec3 chroma = rgb - vec3(within);
+  Real rest = max(Real(1.0) - grey, Real(0.0));
+  vec3 chroma = rgb - vec3(grey);
   Real lowest = min(chroma.x, min(chroma.y, chroma.z));
-  Real highest = max(chroma.x, max(chroma.y, chroma.z));
-  Real share = min(within / max(-lowest, max(within, least)), rest / max(highest, max(rest, least)));
-  return clamp(vec3(within) + share * chroma, vec3(Real(0.0)), vec3(Real(1.0)));
+  Real share = min(grey / max(-lowest, max(grey, least)), rest / max(highest - grey, max(rest, least)));
+  return max(vec3(grey) + share * chroma, vec3(Real(0.0)));
+}
+
+// The same of any luminance.
+FN vec3 fit_to_gamut(vec3 rgb, Real grey) {
+  Real highest = max(rgb.x, max(rgb.y, rgb.z));
+  return min(towards_grey(rgb, clamp(grey, Real(0.0), Real(1.0)), highest), vec3(Real(1.0)));
 }
 
 // Linear signal, 0 to 1, that has the display show X, Y, Z (cd/m2, all that leaves it), as nearly as it can.

@@ -57,6 +57,23 @@ FN Real under_ceiling(Real luminance, Real more, Real ceiling) {
   return luminance + room * (Real(1.0) - exp(-more / room));
 }
 
+// Share of its colour that light keeps where its luminance alone would be the display's white: a choice of taste.
+CONSTANT Real kept_color = Real(0.5);
+// What is brighter burns out to white: the luminance that bleaches half of the cones' pigment, 2e4 td (Rushton and Henry
+// 1968, Vision Res. 8, 617) through a pupil of 4 mm2.
+CONSTANT Real burning_out_cd_m2 = Real(5000.0);
+
+// Factor from the light of a colour to what is shown of it, at first of the luminance `shown`: what the display has no room
+// for as it is gives up luminance, so that it keeps colour. White stays, and of one colour more light never shows less.
+// shown: share of the display's range, 0 to 1; luminance, > 0, and highest, the largest linear component, in one unit;
+// seen_cd_m2: luminance in the scene; kept: share of the colour, 0 to 1
+FN Real scale_with_color(Real shown, Real luminance, Real highest, Real seen_cd_m2, Real kept) {
+  Real over = seen_cd_m2 * (Real(1.0) / burning_out_cd_m2);
+  Real rest = Real(1.0) + over * over;
+  Real excess = max(shown * highest - luminance, Real(0.0));
+  return shown * rest / (luminance * rest + kept * excess);
+}
+
 // Reinhard et al. 2002, eq. 4, extended: luminance over the middle grey's, times the key; `white` becomes 1.
 FN Real reinhard_extended(Real scaled, Real white) {
   return scaled * (Real(1.0) + scaled / (white * white)) / (Real(1.0) + scaled);

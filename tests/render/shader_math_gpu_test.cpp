@@ -93,6 +93,17 @@ TEST_F(ShaderMathGpu, EachFunctionAgreesWithItsTwin) {
        {23, 4, 0, 0},
        41,
        2.0e-4F},
+      {"tone: bright light of a colour",
+       "vec4(scale_with_color(v.x, v.y, v.z, exp(v.w), kept_color), "
+       "towards_grey(vec3(v.x, 0.5 * v.z, v.z), v.x, v.z))",
+       [](const glm::vec4& v) {
+         const f32::vec3 inside = f32::towards_grey({v.x, 0.5F * v.z, v.z}, v.x, v.z);
+         return glm::vec4(f32::scale_with_color(v.x, v.y, v.z, std::exp(v.w), f32::kept_color), inside);
+       },
+       {0.01F, 0.5F, 1, -5},
+       {0.99F, 2, 4, 18},
+       7,
+       1.0e-5F},
       {"tone: a bin's luminance and a key, in their logarithms; points over a ceiling",
        "vec4(log(tone_bin_luminance(v.x)), log(automatic_key(v.z)), log(point_boost(v.y)), "
        "under_ceiling(v.z, v.y, 90.0))",

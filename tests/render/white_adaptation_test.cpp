@@ -42,7 +42,9 @@ TEST_F(WhiteAdaptation, ShowsItsWhiteAsTheDisplaysAndKeepsLuminance) {
   const View view = square_view(48);
   const Vec3 display_white = glm::inverse(display.rgb_from_xyz) * Vec3(1.0);
   const auto added = [&](const std::optional<Vec3>& by, const PictureLight& light) {
-    chain.use(adapted_eye(by));
+    gpu::DisplaySettings settings = adapted_eye(by);
+    settings.tone.stops = -2.0; // the display has room for all of the colours
+    chain.use(settings);
     const std::vector<std::uint16_t> codes = codes_of(chain, light);
     Vec3 sum(0.0);
     for (int row = 0; row < view.height; ++row) {

@@ -199,6 +199,25 @@ TEST(Points, GrowBrighterThanTheirThresholdAsks) {
   EXPECT_NEAR(f64::point_boost(4.0e4) / f64::point_boost(1.0e4), 2.0, 0.01);
 }
 
+TEST(BrightColours, GiveUpLuminanceAndKeepTheirShare) {
+  for (const double highest : {1.0, 1.3, 2.0, 4.7}) { // of unit luminance
+    double last = 0.0;
+    for (double shown = 0.001; shown <= 1.0; shown += 0.001) {
+      const double scale = f64::scale_with_color(shown, 1.0, highest, 0.0, f64::kept_color);
+      EXPECT_GT(scale, last);
+      last = scale;
+      if (shown * highest <= 1.0) {
+        EXPECT_DOUBLE_EQ(scale, shown);
+      }
+    }
+    // At white, towards which it goes as far as the highest component fits.
+    const double white = f64::scale_with_color(1.0, 1.0, highest, 0.0, f64::kept_color);
+    EXPECT_NEAR(1.0 - white, f64::kept_color * white * (highest - 1.0), 1.0e-12);
+    const double dazzling = f64::scale_with_color(1.0, 1.0, highest, 1.0e8, f64::kept_color);
+    EXPECT_NEAR(dazzling, 1.0, 1.0e-6);
+  }
+}
+
 TEST(ToneCurves, NeitherSunNorMoonThrowsTheSky) {
   // 0.2 square degrees in a field of 60 by 60 degrees.
   const double share = 0.2 / 3600.0;
