@@ -24,10 +24,10 @@
 layout(local_size_x = 16, local_size_y = 4) in; // the columns of tiles
 layout(binding = 0) uniform writeonly image2D pixels;
 layout(binding = 1, rgba32f) uniform readonly image2D frame;
+layout(binding = 5, rgba32f) uniform readonly image1D curve;
 #ifdef POINTS
 layout(binding = 2, rgba32f) uniform readonly image2D points;
 #endif
-layout(binding = 0) uniform sampler1D curve;
 #ifdef EYE
 layout(binding = 3, rgba32f) uniform readonly image2D eye_added;
 layout(binding = 4, rg32f) uniform readonly image2D eye_shares;
@@ -66,12 +66,11 @@ vec3 curve_at(float luminance) {
   const int eighth = 1 << 20;
   int bits = floatBitsToInt(luminance) - ((127 + tone_lowest_octave) << 23);
   bits = clamp(bits, 0, tone_nodes * eighth - 1);
-  vec4 texel = texelFetch(curve, bits / eighth, 0);
+  vec4 texel = imageLoad(curve, bits / eighth);
   return vec3(texel.x + float(bits & (eighth - 1)) * exp2(-20.0) * texel.y, texel.z, texel.w);
 }
 
 vec3 mapped(vec4 extended, vec4 point, vec2 at) {
-  extended.w = max(extended.w, 0.0); // lest impossible light have no luminance
   float cones = cone_share(extended);
   float rods = (1.0 - cones) * rods_at_555_nm;
   PixelFrame picture = PixelFrame(PROJECTION, size, focal);
@@ -87,11 +86,11 @@ vec3 mapped(vec4 extended, vec4 point, vec2 at) {
 #endif
   // seen_color times (cones + rods), which only its luminance needs.
   vec3 color = cones * extended.xyz + rod_light * rod_hue;
-  float seen = max(color.y, 0.0) / (cones + rods);
+  float luminance = max(color.y, 1.0e-30);
+  float seen = luminance / (cones + rods);
   vec3 tone = curve_at(seen);
   // Of the light that a display adds to its floor.
   vec3 signal = signal_from_xyz * color;
-  float luminance = max(color.y, 1.0e-30);
   float highest = max(signal.x, max(signal.y, signal.z));
   float scale = scale_with_color(tone.x, luminance, highest, seen, color_to_keep);
   signal *= scale;
@@ -151,7 +150,7 @@ Seen seen_in_row(int row, ivec2 columns, float beside) {
 
 void show(ivec2 at, Seen seen) {
   ivec2 within = min(at, ivec2(int(size.x), strip.y) - 1);
-  vec4 all = max(imageLoad(frame, within), 0.0);
+  vec4 all = max(imageLoad(frame, within), 0.0); // lest impossible light have no luminance
 #ifdef POINTS
   vec4 point = min(imageLoad(points, within), all);
 #else

@@ -144,13 +144,13 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   if (looked_) {
     find_curve();
   }
-  glBindTextureUnit(0, nodes_.name());
   glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
   const auto read_from = [](GLuint unit, const Texture& texture, GLenum format) {
     glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, GL_READ_ONLY, format);
   };
   read_from(1, light.frame, GL_RGBA32F);
   read_from(2, light.points, GL_RGBA32F);
+  read_from(5, nodes_, GL_RGBA32F);
   if (through_optics_) {
     read_from(3, optics_->added(), GL_RGBA32F);
     read_from(4, optics_->shares(), GL_RG32F);
