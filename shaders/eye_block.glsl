@@ -39,6 +39,11 @@ PixelFrame eye_frame() { return PixelFrame(PROJECTION, eye.size, eye.focal); }
 
 float texel_side(int level) { return block_side * float(1 << level); } // pixels
 
+// Where the light of a block comes from, in blocks from its middle, by its sum over pixels and that times their places.
+vec2 block_centre(float light, vec2 moment) {
+  return light > 0.0 ? clamp((moment / light + 0.5) / block_side - 0.5, -0.5, 0.5) : vec2(0.0);
+}
+
 // Where a level begins in a picture that has all of them, one above the other: it is twice as high as level 0.
 ivec2 level_origin(int level, ivec2 all) { return ivec2(0, all.y - (all.y >> level)); }
 

@@ -10,7 +10,7 @@ layout(local_size_x = 64) in; // what lies side by side is read together: a four
 layout(binding = 0) uniform sampler2D frame;
 layout(binding = 0, rgba32f) uniform writeonly image2D light;
 layout(binding = 1, rg32f) uniform writeonly image2D centre; // in texels, from the texel's middle
-layout(binding = 2, rgba32f) uniform writeonly image2D extended; // eye_points.comp takes points out of it
+layout(binding = 2, rgba32f) uniform writeonly image2D extended; // eye_points.comp writes all three anew where there are points
 
 layout(location = 0) uniform ivec2 strip; // its first row of blocks, its rows of pixels
 
@@ -35,9 +35,8 @@ void main() {
     }
   }
   float share = 1.0 / float(count.x * count.y);
-  vec2 middle = sum.y > 0.0 ? (moment / sum.y + 0.5) / block_side - 0.5 : vec2(0.0);
   block.y += strip.x;
   imageStore(light, block, share * sum);
-  imageStore(centre, block, vec4(clamp(middle, -0.5, 0.5), 0.0, 0.0));
+  imageStore(centre, block, vec4(block_centre(sum.y, moment), 0.0, 0.0));
   imageStore(extended, block, share * sum);
 }

@@ -254,9 +254,7 @@ void EyeOptics::add(const StripLight& light) {
   const GLuint program = program_of(Stage::points).name();
   glProgramUniform2i(program, 0, light.strip.first_row / block_side, light.strip.rows);
   glUseProgram(program);
-  glBindTextureUnit(0, pyramid_->light.name());
   glBindTextureUnit(1, light.points.name());
-  write_to(0, pyramid_->extended, 0, GL_RGBA32F);
   light.tiles.dispatch(true);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }

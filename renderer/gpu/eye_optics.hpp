@@ -65,7 +65,8 @@ public:
   /// Takes in a strip, which starts at a multiple of 4 rows; strips come in any order.
   /// \param frame  rgba32f of the view's width, its row 0 the strip's first: all light, X, Y, Z in cd/m2 and S
   void add(const Texture& frame, const Strip& strip);
-  /// Likewise, with points in it, whose light glare spreads and acuity does not.
+  /// Likewise, with points in it, whose light glare spreads and acuity does not. They send what reaches the naked eye,
+  /// however much a picture magnifies.
   void add(const StripLight& light);
   /// Once all strips are in: makes what follows.
   void finish();

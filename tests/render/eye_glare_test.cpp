@@ -241,6 +241,32 @@ TEST_F(EyeGlare, HoldsExtremeLight) {
   }
 }
 
+TEST_F(EyeGlare, PointsSendNoMoreWhereAPictureMagnifies) {
+  gpu::EyeOptics eye(shaders);
+  const View view = view_of(Projection::perspective, 5.0, 240, 240);
+  const LightPicture star = lone_pixel(view, {121, 117});
+  const gpu::Texture frame = texture_of(star);
+  gpu::PointTiles tiles(shaders);
+  tiles.start(view.width, view.height);
+  tiles.mark(std::vector{gpu::PointTiles::Box{121.0F, 117.0F, 122.0F, 118.0F}});
+  tiles.list({0, view.height});
+  ErrorSum errors;
+  for (const double magnification : {1.0, 3.0, 20.0}) {
+    const gpu::EyeOpticsSettings settings{.acuity = false, .magnification = magnification};
+    eye.see(frame, view, settings);
+    const SeenPicture larger(eye);
+    eye.start(view, settings);
+    eye.add({frame, frame, tiles, {0, view.height}});
+    eye.finish();
+    const SeenPicture as_point(eye);
+    for (const Vec2& pixel : {Vec2(121.5, 140.0), Vec2(60.0, 80.0), Vec2(230.0, 10.0)}) {
+      const auto ratio = static_cast<double>(larger.added(pixel).y / as_point.added(pixel).y);
+      errors.add(100.0 * (ratio / (magnification * magnification) - 1.0));
+    }
+  }
+  errors.hold("veil of an extended source over that of a point, over the magnification squared", 0.01, "%");
+}
+
 TEST_F(EyeGlare, OldEyesScatterMoreAndUnseenSourcesShow) {
   gpu::EyeOptics eye(shaders);
   View view = view_of(Projection::perspective, 40.0, 240, 160);
