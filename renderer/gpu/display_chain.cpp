@@ -144,16 +144,13 @@ void DisplayChain::map(const StripLight& light, const Texture& pixels) {
   if (looked_) {
     find_curve();
   }
-  glBindImageTexture(0, pixels.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, gl_format(settings_.format));
-  const auto read_from = [](GLuint unit, const Texture& texture, GLenum format) {
-    glBindImageTexture(unit, texture.name(), 0, GL_FALSE, 0, GL_READ_ONLY, format);
-  };
-  read_from(1, light.frame, GL_RGBA32F);
-  read_from(2, light.points, GL_RGBA32F);
-  read_from(5, nodes_, GL_RGBA32F);
+  write_image(0, pixels, 0, gl_format(settings_.format));
+  read_image(1, light.frame, 0, GL_RGBA32F);
+  read_image(2, light.points, 0, GL_RGBA32F);
+  read_image(5, nodes_, 0, GL_RGBA32F);
   if (through_optics_) {
-    read_from(3, optics_->added(), GL_RGBA32F);
-    read_from(4, optics_->shares(), GL_RG32F);
+    read_image(3, optics_->added(), 0, GL_RGBA32F);
+    read_image(4, optics_->shares(), 0, GL_RG32F);
   }
   for (const bool with_points : {false, true}) {
     const GLuint program = of_tiles_.at(with_points ? 1 : 0)->name();

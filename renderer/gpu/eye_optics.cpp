@@ -88,14 +88,6 @@ void run(const ProgramHandle& program, int width, int height = 1, int side = gro
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void write_to(GLuint unit, const Texture& texture, int level, GLenum format) {
-  glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY, format);
-}
-
-void read_from(GLuint unit, const Texture& texture, int level, GLenum format) {
-  glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_READ_ONLY, format);
-}
-
 /// A texture with mipmaps, read between texels but not between levels.
 Texture make_levels(int width, int height, int levels, GLenum format) {
   GLuint name = 0;
@@ -242,10 +234,10 @@ void EyeOptics::add(const Texture& frame, const Strip& strip) {
   glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
   glProgramUniform2i(program.name(), 0, strip.first_row / block_side, strip.rows);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms_.name());
-  write_to(0, levels.light, 0, GL_RGBA32F);
-  write_to(1, levels.centre, 0, GL_RG32F);
+  write_image(0, levels.light, 0, GL_RGBA32F);
+  write_image(1, levels.centre, 0, GL_RG32F);
   glBindTextureUnit(0, frame.name());
-  write_to(2, levels.extended, 0, GL_RGBA32F);
+  write_image(2, levels.extended, 0, GL_RGBA32F);
   run(program, levels.across(0), up(strip.rows, block_side), group_of_row, 1);
 }
 
@@ -266,10 +258,10 @@ void EyeOptics::finish() {
   for (int level = 1; level <= levels.cell_level; ++level) {
     const ProgramHandle& halve = program_of(Stage::halve);
     glProgramUniform1i(halve.name(), 0, level);
-    read_from(0, levels.light, level - 1, GL_RGBA32F);
-    read_from(1, levels.centre, level - 1, GL_RG32F);
-    write_to(2, levels.light, level, GL_RGBA32F);
-    write_to(3, levels.centre, level, GL_RG32F);
+    read_image(0, levels.light, level - 1, GL_RGBA32F);
+    read_image(1, levels.centre, level - 1, GL_RG32F);
+    write_image(2, levels.light, level, GL_RGBA32F);
+    write_image(3, levels.centre, level, GL_RG32F);
     glBindImageTexture(4, levels.extended.name(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
     run(halve, levels.across(level), levels.down(level));
   }
@@ -280,9 +272,9 @@ void EyeOptics::finish() {
   glBindTextureUnit(1, levels.veil.name());
   glBindTextureUnit(2, levels.far_veil.name());
   glBindTextureUnit(3, levels.near_shares.name());
-  read_from(2, levels.extended, 0, GL_RGBA32F);
-  write_to(0, added_, 0, GL_RGBA32F);
-  write_to(1, shares_, 0, GL_RG32F);
+  read_image(2, levels.extended, 0, GL_RGBA32F);
+  write_image(0, added_, 0, GL_RGBA32F);
+  write_image(1, shares_, 0, GL_RG32F);
   run(program_of(Stage::seen), levels.across(0), levels.down(0));
   require_no_error("seeing a picture with an eye");
 }
@@ -296,17 +288,17 @@ void EyeOptics::scatter() {
   for (int level = finest_veil; level <= levels.cell_level; ++level) {
     const ProgramHandle& spread = program_of(Stage::spread);
     glProgramUniform1i(spread.name(), 0, level);
-    read_from(0, levels.light, level, GL_RGBA32F);
-    read_from(1, levels.centre, level, GL_RG32F);
-    write_to(2, levels.spread, level, GL_RGBA32F);
+    read_image(0, levels.light, level, GL_RGBA32F);
+    read_image(1, levels.centre, level, GL_RG32F);
+    write_image(2, levels.spread, level, GL_RGBA32F);
     run(spread, levels.across(level), levels.down(level));
   }
   glBindTextureUnit(0, levels.light.name());
   glBindTextureUnit(1, levels.centre.name());
   run(program_of(Stage::cells), levels.cells(), 1, group_of_row, 1);
   run(program_of(Stage::beyond), 1, 1, 1, 1);
-  write_to(0, levels.far_veil, 0, GL_RGBA32F);
-  write_to(1, levels.near_shares, 0, GL_RG32F);
+  write_image(0, levels.far_veil, 0, GL_RGBA32F);
+  write_image(1, levels.near_shares, 0, GL_RG32F);
   glBindTextureUnit(0, levels.light_texels.name());
   run(program_of(Stage::far), 2 * levels.columns, 2 * levels.rows);
   glBindTextureUnit(0, levels.spread.name());
@@ -315,7 +307,7 @@ void EyeOptics::scatter() {
   for (int level = levels.cell_level; level >= finest_veil; --level) {
     const ProgramHandle& veil = program_of(Stage::veil);
     glProgramUniform1i(veil.name(), 0, level);
-    write_to(0, levels.veil, level, GL_RGBA32F);
+    write_image(0, levels.veil, level, GL_RGBA32F);
     run(veil, levels.across(level), levels.down(level));
   }
 }

@@ -27,10 +27,6 @@ double most_steradians(const View& view) {
   return view.projection == Projection::equirectangular ? sphere : std::min(sphere, largest * view.width * view.height);
 }
 
-void clear(const Buffer& buffer) {
-  glClearNamedBufferData(buffer.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
-}
-
 GLuint meter_groups(int size, int group) { return static_cast<GLuint>((size + group - 1) / group); }
 
 } // namespace
@@ -52,8 +48,8 @@ void LightMeter::start(const View& view, Metering metering) {
   if (metering == Metering::foveal) {
     defines_.emplace_back("FOVEAL");
   }
-  clear(cells_);
-  clear(bins_);
+  clear_buffer(cells_);
+  clear_buffer(bins_);
   // All weights stay below 2^31; a sample stands for as many pixels as there are fewer of them.
   const double samples = static_cast<double>(grid.columns) * grid.rows * grid.samples * grid.samples;
   const double pixels = static_cast<double>(view.width) * view.height;

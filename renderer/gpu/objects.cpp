@@ -37,6 +37,10 @@ void update_buffer(const Buffer& buffer, std::span<const std::byte> data) {
   glNamedBufferSubData(buffer.name(), 0, static_cast<GLsizeiptr>(data.size()), data.data());
 }
 
+void clear_buffer(const Buffer& buffer) {
+  glClearNamedBufferData(buffer.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+}
+
 VertexArray make_vertex_array() {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
@@ -159,6 +163,14 @@ void draw_into(const Framebuffer& framebuffer, Attachments attachments) {
     glNamedFramebufferDrawBuffers(framebuffer.name(), 1, &outputs[1]);
     break;
   }
+}
+
+void read_image(unsigned int unit, const Texture& texture, int level, unsigned int format) {
+  glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_READ_ONLY, format);
+}
+
+void write_image(unsigned int unit, const Texture& texture, int level, unsigned int format) {
+  glBindImageTexture(unit, texture.name(), level, GL_FALSE, 0, GL_WRITE_ONLY, format);
 }
 
 int largest_texture_side() {

@@ -54,6 +54,8 @@ using ProgramHandle = Handle<delete_program>;
 /// A buffer of `size` bytes that update_buffer may rewrite.
 [[nodiscard]] Buffer make_dynamic_buffer(std::size_t size);
 void update_buffer(const Buffer& buffer, std::span<const std::byte> data);
+/// Fills it with zeros.
+void clear_buffer(const Buffer& buffer);
 
 [[nodiscard]] VertexArray make_vertex_array();
 
@@ -84,6 +86,10 @@ void interpolate(const Texture& texture);
 /// Which attachments the outputs of the fragment stages go to.
 enum class Attachments { first, both, second };
 void draw_into(const Framebuffer& framebuffer, Attachments attachments);
+
+/// Binds a level of a texture as an image that shaders read from or write to, in one of OpenGL's formats.
+void read_image(unsigned int unit, const Texture& texture, int level, unsigned int format);
+void write_image(unsigned int unit, const Texture& texture, int level, unsigned int format);
 
 /// Largest width and height of a texture.
 [[nodiscard]] int largest_texture_side();

@@ -48,7 +48,7 @@ void PointTiles::start(int width, int height) {
     marks_ = make_dynamic_buffer(bytes);
     lists_ = make_dynamic_buffer(sizeof(ListsHead) + bytes);
   }
-  glClearNamedBufferData(marks_.name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  clear_buffer(marks_);
 }
 
 void PointTiles::mark(std::span<const Box> boxes) {

@@ -171,7 +171,7 @@ void SkyMap::fill_slices(const SkyTextures& tables, const FramePlan& plan) {
     tables.bind_small();
   }
   glUseProgram(program);
-  glBindImageTexture(0, slices_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  write_image(0, slices_, 0, GL_RGBA32F);
   const int slices = 2 * static_cast<int>(std::min(plan.lights.size(), most_lights));
   for (int slice = 0; slice < slices; ++slice) {
     glProgramUniform1i(program, 0, slice / 2);
@@ -188,7 +188,7 @@ void SkyMap::fill_ground(const SkyTextures& tables) {
   glUseProgram(ground_program_.name());
   glBindTextureUnit(0, tables.transmittance().name());
   glBindTextureUnit(1, tables.ground().name());
-  glBindImageTexture(0, ground_.name(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  write_image(0, ground_, 0, GL_RGBA32F);
   glDispatchCompute(groups(ground_texels, 64), most_lights, 1);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
